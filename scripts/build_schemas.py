@@ -11,9 +11,17 @@ from pathlib import Path
 from typing import Any
 
 from rapidsim.cli.machine_output import ErrorReport
+from rapidsim.comparison.changes import ComparisonReport
+from rapidsim.jobs.running.protocol import ProtocolReport
 from rapidsim.json_records.schema import Schema, SchemaWriter
 from rapidsim.report.findings.check_report import CheckReport
+from rapidsim.report.run.calibration import CalibrationReport
 from rapidsim.report.run.json_report import RunReport
+from rapidsim.report.tables.follow_json import FollowComparison, FollowReport
+from rapidsim.report.tables.frame_text import FramesReport
+from rapidsim.report.tables.kin_json import ForwardReport, InverseReport, JacobianReport
+from rapidsim.report.tables.ranking_table import RankingReport
+from rapidsim.report.tables.robot_records import CatalogueReport, RobotPageRecord
 
 FOLDER = Path(__file__).parents[1] / "rapidsim" / "schemas"
 DRAFT = "https://json-schema.org/draft/2020-12/schema"
@@ -21,8 +29,20 @@ ERROR = "error"
 WIDTH = 120
 """Characters of a line that a value may fill."""
 OUTPUTS: Mapping[str, tuple[str, type[Any]]] = {
-    "run": ("run --format json", RunReport),
+    "calibrate": ("calibrate --format json", CalibrationReport),
     "check": ("check --format json", CheckReport),
+    "diff": ("diff --format json", ComparisonReport),
+    "follow": ("follow --format json", FollowReport),
+    "follow-compare": ("follow --compare --format json", FollowComparison),
+    "frames": ("frames --format json", FramesReport),
+    "kin-fk": ("kin fk --format json", ForwardReport),
+    "kin-ik": ("kin ik --format json", InverseReport),
+    "kin-jacobian": ("kin jacobian --format json", JacobianReport),
+    "protocol": ("protocol --format json", ProtocolReport),
+    "robot": ("robots NAME --format json", RobotPageRecord),
+    "robots": ("robots --format json", CatalogueReport),
+    "robots-for": ("robots --for PATH --format json", RankingReport),
+    "run": ("run --format json", RunReport),
 }
 """Title and record of the output of each command, by the name of its schema."""
 

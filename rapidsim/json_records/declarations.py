@@ -1,7 +1,7 @@
 """Declarations of JSON records: frozen classes whose fields are the keys, in their order.
 
 A docstring below a field is its description in the schema. A class variable is a key with a
-constant value. A field with the default None is omitted where it is None, like an `OrAbsent`.
+constant value.
 """
 
 from __future__ import annotations
@@ -85,7 +85,6 @@ def record_fields(record: Any) -> tuple[RecordField, ...]:
         if not is_constant and name not in declared:
             continue
         marks = getattr(type_, "__metadata__", ())
-        default = dataclasses.MISSING if is_constant else declared[name].default
         found.append(
             RecordField(
                 name=name,
@@ -93,7 +92,7 @@ def record_fields(record: Any) -> tuple[RecordField, ...]:
                 type=get_args(type_)[0] if is_constant else type_,
                 is_constant=is_constant,
                 is_inline=ValueForm.INLINE in marks,
-                is_optional=default is None or ValueForm.OPTIONAL in marks,
+                is_optional=ValueForm.OPTIONAL in marks,
                 is_lenient=ValueForm.LENIENT in marks,
                 has_default=is_constant or _has_default(declared[name]),
             )

@@ -24,7 +24,7 @@ from rapidsim.motion.configurations.targets import pose
 from rapidsim.report.findings.diagnostic_records import diagnostic_record
 from rapidsim.report.findings.merging import merged
 from rapidsim.report.findings.text import summary_line
-from rapidsim.report.tables.frame_text import frame_json, frame_text
+from rapidsim.report.tables.frame_text import FramesReport, frame_record, frame_text
 from rapidsim.report.tables.frame_tree import frame_tree
 from rapidsim.simulation.start_values import start_values
 
@@ -58,8 +58,8 @@ def frames(
     if loaded.program is None:
         findings = merged(loaded.diagnostics)
         if output_format == "json":
-            found = [json_of(diagnostic_record(finding)) for finding in findings]
-            print_json({"schema": 1, "root": None, "diagnostics": found})
+            found = tuple(map(diagnostic_record, findings))
+            print_json(json_of(FramesReport(None, found)))
         echo(findings_text(findings, terminal), palette=terminal.palette, nl=False, err=True)
         echo(summary_line(findings, files=len(files), seconds=None), err=True)
         return ExitCode.FINDINGS
@@ -68,7 +68,7 @@ def frames(
     stands = IDENTITY_POSE if place is None else pose(place)
     root = frame_tree(loaded.program, start_values(loaded.program), arm.name, stands)
     if output_format == "json":
-        print_json({"schema": 1, "root": frame_json(root)})
+        print_json(json_of(FramesReport(frame_record(root))))
     else:
         terminal.show(frame_text(root))
     return ExitCode.CLEAN

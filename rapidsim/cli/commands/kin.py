@@ -28,6 +28,7 @@ from rapidsim.cli.terminal import (
 from rapidsim.extras import require
 from rapidsim.files import InputError
 from rapidsim.jobs.inputs.robot_choice import DEFAULT_ROBOT
+from rapidsim.json_records.encoding import json_of
 from rapidsim.values import value_class
 
 if TYPE_CHECKING:
@@ -114,7 +115,7 @@ def fk(options: ForwardOptions, setup: SetupOptions) -> int:
     from rapidsim.cli.tools import kin_steps
     from rapidsim.frames.euler import Convention
     from rapidsim.motion.configurations.postures import Posture, Postures
-    from rapidsim.report.tables.kin_json import forward_json
+    from rapidsim.report.tables.kin_json import forward_report
     from rapidsim.report.tables.kin_tables import forward_page
 
     arm = open_robot(setup.robot, setup.scale)
@@ -128,7 +129,7 @@ def fk(options: ForwardOptions, setup: SetupOptions) -> int:
         f"{arm.title} at {_list(options.joints)} {arm.units()}",
     )
     if setup.output_format == "json":
-        print_json(forward_json(shown, Convention(setup.convention)))
+        print_json(json_of(forward_report(shown, Convention(setup.convention))))
     else:
         current_terminal().show(
             forward_page(shown, Convention(setup.convention), tables=options.tables)
@@ -202,7 +203,7 @@ def ik(options: InverseOptions, setup: SetupOptions) -> int:
     from rapidsim.motion.configurations.confdata import has_branches
     from rapidsim.motion.configurations.pose_solutions import solve_pose, solve_pose_as
     from rapidsim.motion.configurations.postures import Postures
-    from rapidsim.report.tables.kin_json import inverse_json
+    from rapidsim.report.tables.kin_json import inverse_report
     from rapidsim.report.tables.kin_tables import inverse_page
 
     arm = open_robot(setup.robot, setup.scale)
@@ -238,7 +239,7 @@ def ik(options: InverseOptions, setup: SetupOptions) -> int:
         else:
             found = solve_pose_as(arm, pose, _whole(options.conf))
     if setup.output_format == "json":
-        print_json(inverse_json(arm, name, found, searched))
+        print_json(json_of(inverse_report(arm, name, found, searched)))
     else:
         current_terminal().show(inverse_page(arm, name, asked, found, searched))
     if found.solutions:
@@ -274,7 +275,7 @@ def jacobian(options: JacobianOptions, setup: SetupOptions) -> int:
     from rapidsim.cli.tools import kin_steps
     from rapidsim.motion.configurations.postures import Posture, Postures
     from rapidsim.motion.configurations.singularities import differential
-    from rapidsim.report.tables.kin_json import jacobian_json
+    from rapidsim.report.tables.kin_json import jacobian_report
     from rapidsim.report.tables.kin_tables import jacobian_page
 
     arm = open_robot(setup.robot, setup.scale)
@@ -287,7 +288,7 @@ def jacobian(options: JacobianOptions, setup: SetupOptions) -> int:
             [*(v / 1000.0 for v in options.twist[:3]), *np.radians(options.twist[3:])]
         )
     if setup.output_format == "json":
-        print_json(jacobian_json(arm, found, wanted))
+        print_json(json_of(jacobian_report(arm, found, wanted)))
     else:
         current_terminal().show(jacobian_page(arm, found, wanted))
     shown = Postures(

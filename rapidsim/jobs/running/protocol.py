@@ -12,9 +12,11 @@ from collections.abc import Mapping
 from dataclasses import replace
 from pathlib import Path
 from tempfile import TemporaryDirectory
+from typing import ClassVar
 
 from rapidsim.files import InputError, input_bytes
 from rapidsim.jobs.running.run_files import simulate
+from rapidsim.json_records.encoding import json_of
 from rapidsim.language.error_numbers import NUMBERS
 from rapidsim.shipped import shipped
 from rapidsim.simulation.options import RunOptions
@@ -48,12 +50,35 @@ TIMED = frozenset({16, 17, 18, 19, 20})
 """Questions whose answers are times [s]."""
 _MOVING = frozenset({18, 19, 20})
 _VERSION = "2"
+SCHEMA = 1
 _FULL_SPEED = "100"
 _SAME_ARM = 0.1
 """Largest relative deviation of a type's reach and payload from the catalogue: 0.6 m for 0.58."""
 _NAMES = {number: name for name, number in NUMBERS.items()}
 _NUMBER = re.compile(r"ERRNO (\d+)")
 _LONGEST = 80
+
+
+@value_class(frozen=True, slots=True)
+class ProtocolReport:
+    """The object that `rapidsim protocol --format json` prints."""
+
+    schema: ClassVar[int] = SCHEMA
+    """Grows when a key changes its meaning or is removed; new keys may be added at any time."""
+    questions: int
+    """Version of the questions."""
+    robotware: str
+    """Version of the controller that answered."""
+    robot: str
+    """Type of its arm."""
+    real: str
+    """TRUE for a real controller, FALSE for a virtual one, ? if unknown."""
+    automatic: str
+    """TRUE in automatic mode, ? if unknown."""
+    speed: str
+    """Speed that the operator has set [%], ? if unknown."""
+    answers: Mapping[str, str]
+    """Answer to each question, by its number."""
 
 
 @value_class(frozen=True, slots=True)
@@ -81,17 +106,16 @@ class Protocol:
 
     def as_json(self) -> dict[str, object]:
         """Return the object to send."""
-        answers = {str(number): self.answers[number] for number in sorted(self.answers)}
-        return {
-            "schema": 1,
-            "questions": int(_VERSION),
-            "robotware": self.robotware,
-            "robot": self.robot,
-            "real": self.real,
-            "automatic": self.automatic,
-            "speed": self.speed,
-            "answers": answers,
-        }
+        report = ProtocolReport(
+            questions=int(_VERSION),
+            robotware=self.robotware,
+            robot=self.robot,
+            real=self.real,
+            automatic=self.automatic,
+            speed=self.speed,
+            answers={str(number): self.answers[number] for number in sorted(self.answers)},
+        )
+        return json_of(report)
 
 
 def questions() -> str:

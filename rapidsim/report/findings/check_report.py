@@ -58,9 +58,9 @@ class CheckReport:
     """Number of files that were read."""
     diagnostics: tuple[DiagnosticRecord, ...]
     coverage: CheckCoverage
-    statistics: tuple[RuleCount, ...] | None = None
+    statistics: OrAbsent[tuple[RuleCount, ...]] = None
     """With --statistics: violations of each rule, the most frequent first."""
-    diff: str | None = None
+    diff: OrAbsent[str] = None
     """With --diff: the changes that --fix would make."""
 
 

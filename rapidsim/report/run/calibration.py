@@ -2,11 +2,18 @@
 
 from __future__ import annotations
 
+from typing import Annotated, ClassVar
+
 from rich.console import Group, RenderableType
 from rich.table import Table
 from rich.text import Text
 
-from rapidsim.simulation.calibration.fit import Calibration, Fitted
+from rapidsim.json_records.declarations import Key, OrAbsent
+from rapidsim.json_records.encoding import json_of
+from rapidsim.simulation.calibration.fit import Calibration, Fitted, LogFit
+from rapidsim.values import value_class
+
+SCHEMA = 1
 
 _MEANINGS = {
     "torque": "factor on the known torque of the axis",
@@ -81,43 +88,58 @@ def _share(seconds: float | None, whole_s: float) -> str:
     return "" if seconds is None else f"{100.0 * seconds / whole_s:+.2f} %"
 
 
+@value_class(frozen=True, slots=True)
+class FittedParameter:
+    """One parameter of the motion model."""
+
+    name: str
+    table: str
+    """Table of the station file that contains it."""
+    key: str
+    value: float
+    uncertainty: float
+    """Standard deviation."""
+    start: Annotated[float, Key("known")]
+    """Value before the fit."""
+    seen: bool
+    """Whether the logs determine it better than the known value does."""
+    contradicts: bool
+    """Whether the logs contradict the value measured on such an arm."""
+    value_s: OrAbsent[float]
+    """The value again, if it is a time."""
+    uncertainty_s: OrAbsent[float]
+
+
+@value_class(frozen=True, slots=True)
+class CalibrationReport:
+    """The object that `rapidsim calibrate --format json` prints."""
+
+    schema: ClassVar[int] = SCHEMA
+    """Grows when a key changes its meaning or is removed; new keys may be added at any time."""
+    parameters: tuple[FittedParameter, ...]
+    logs: tuple[LogFit, ...]
+
+
 def as_json(calibration: Calibration) -> dict[str, object]:
     """One object."""
-    return {
-        "schema": 1,
-        "parameters": [
-            {
-                "name": one.name,
-                "table": one.table,
-                "key": one.key,
-                "value": one.value,
-                "uncertainty": one.uncertainty,
-                "known": one.start,
-                "seen": one.seen,
-                "contradicts": one.contradicts,
-                **(
-                    {"value_s": one.value, "uncertainty_s": one.uncertainty}
-                    if one.in_seconds
-                    else {}
-                ),
-            }
-            for one in calibration.parameters
-        ],
-        "logs": [
-            {
-                "name": log.name,
-                "rows": log.rows,
-                "duration_s": log.duration_s,
-                "rms_before_s": log.rms_before_s,
-                "rms_after_s": log.rms_after_s,
-                "end_before_s": log.end_before_s,
-                "end_after_s": log.end_after_s,
-                "rms_left_out_s": log.rms_left_out_s,
-                "end_left_out_s": log.end_left_out_s,
-            }
-            for log in calibration.logs
-        ],
-    }
+    return json_of(
+        CalibrationReport(tuple(map(_parameter, calibration.parameters)), calibration.logs)
+    )
+
+
+def _parameter(fitted: Fitted) -> FittedParameter:
+    return FittedParameter(
+        name=fitted.name,
+        table=fitted.table,
+        key=fitted.key,
+        value=fitted.value,
+        uncertainty=fitted.uncertainty,
+        start=fitted.start,
+        seen=fitted.seen,
+        contradicts=fitted.contradicts,
+        value_s=fitted.value if fitted.in_seconds else None,
+        uncertainty_s=fitted.uncertainty if fitted.in_seconds else None,
+    )
 
 
 def _remark(parameter: Fitted) -> str:

@@ -157,16 +157,16 @@ class PersistentRecord:
 class RunFiles:
     """Paths of the files written, by kind."""
 
-    recording: str | None = None
-    report: str | None = None
-    plots: str | None = None
+    recording: OrAbsent[str] = None
+    report: OrAbsent[str] = None
+    plots: OrAbsent[str] = None
     """A folder."""
-    trace: str | None = None
-    events: str | None = None
-    profile: str | None = None
-    program: tuple[str, ...] | None = None
+    trace: OrAbsent[str] = None
+    events: OrAbsent[str] = None
+    profile: OrAbsent[str] = None
+    program: OrAbsent[tuple[str, ...]] = None
     """Files of the program into which values of persistents were written."""
-    home: tuple[WrittenFile, ...] | None = None
+    home: OrAbsent[tuple[WrittenFile, ...]] = None
     """Files of the home folder that the program wrote."""
 
 

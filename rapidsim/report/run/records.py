@@ -13,7 +13,7 @@ import numpy as np
 
 from rapidsim.controller.journal.events import Wait
 from rapidsim.controller.moves.executed_move import CornerKind, ExecutedMove
-from rapidsim.json_records.declarations import Key, Rounded
+from rapidsim.json_records.declarations import Key, OrAbsent, Rounded
 from rapidsim.motion.robot.external_axes import ExternalAxis
 from rapidsim.simulation.results.curve_deviations import CurveDeviation, all_curve_deviations
 from rapidsim.simulation.results.simulation import Simulation
@@ -71,7 +71,7 @@ class MoveRecord:
     joints_deg: tuple[Rounded, ...]
     conf: tuple[int, ...]
     """cf1, cf4, cf6, cfx."""
-    external: Mapping[str, Rounded | None] | None = None
+    external: OrAbsent[Mapping[str, Rounded | None]] = None
     """External axes by component [mm or degrees]; None if there are no external axes."""
 
     def __repr__(self) -> str:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Mapping, Sequence
 
-from rapidsim.json_records.declarations import Rounded
+from rapidsim.json_records.declarations import OrAbsent, Rounded
 from rapidsim.motion.model import Controller, MotionModel
 from rapidsim.motion.robot.dynamics import PRIOR_FACTOR
 from rapidsim.motion.robot.robot import Robot
@@ -24,29 +24,29 @@ PROGRAM_POINTER = (
 class RunModels:
     """Models and their parameters, and what they leave out of the arm; empty without a run."""
 
-    motion: str | None = None
+    motion: OrAbsent[str] = None
     """Version of the motion model."""
-    controller: Controller | None = None
+    controller: OrAbsent[Controller] = None
     """Kind of controller, on which the duration of a stop point depends."""
-    acceleration: str | None = None
+    acceleration: OrAbsent[str] = None
     """Source of the accelerations or torques of the axes."""
-    payload: str | None = None
+    payload: OrAbsent[str] = None
     """Assumption about loads; absent if none counts."""
-    axis_speed: str | None = None
+    axis_speed: OrAbsent[str] = None
     """Source of axis speeds that are not the arm's own."""
-    corner: str | None = None
+    corner: OrAbsent[str] = None
     """Shape of corner paths."""
-    program_pointer: str | None = None
-    filter_time_s: float | None = None
+    program_pointer: OrAbsent[str] = None
+    filter_time_s: OrAbsent[float] = None
     """Width of the smoothing of the command."""
-    smoothing: str | None = None
+    smoothing: OrAbsent[str] = None
     """`axes` if each axis is smoothed separately, `path` if the command is."""
-    fine_dwell_s: float | None = None
+    fine_dwell_s: OrAbsent[float] = None
     """Duration of a stop point."""
-    ramp: str | None = None
+    ramp: OrAbsent[str] = None
     """Effect of AccSet ramps; absent if no move has one."""
-    robot_not_modelled: tuple[str, ...] | None = None
-    time_s_with_acceleration_times: Mapping[str, Rounded] | None = None
+    robot_not_modelled: OrAbsent[tuple[str, ...]] = None
+    time_s_with_acceleration_times: OrAbsent[Mapping[str, Rounded]] = None
     """Duration of the run [s] by a factor on all accelerations."""
 
 

@@ -1,13 +1,16 @@
-"""Results of `rapidsim kin` as JSON values: mm, degrees, quaternions scalar first."""
+"""Results of `rapidsim kin` as records of JSON: mm, degrees, quaternions scalar first."""
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from math import degrees
+from typing import Annotated, Any, ClassVar, TypeAlias
 
 import numpy as np
 
 from rapidsim.frames.euler import Convention, euler_from_rotation
 from rapidsim.frames.transform import Array, Transform
+from rapidsim.json_records.declarations import Key, OrAbsent, ValueForm
 from rapidsim.motion.configurations.confdata import confdata_of
 from rapidsim.motion.configurations.pose_solutions import PoseSolutions
 from rapidsim.motion.configurations.postures import Postures
@@ -32,125 +35,285 @@ class SearchCost:
     """By the clock on the wall; nothing depends on it."""
 
 
-def forward_json(postures: Postures, convention: Convention) -> dict[str, object]:
+SCHEMA = 1
+Matrix: TypeAlias = Sequence[Sequence[float]]
+
+
+@value_class(frozen=True, slots=True)
+class PlacedFrame:
+    """A pose."""
+
+    position_mm: Sequence[float]
+    quaternion: Sequence[float]
+    """Scalar first."""
+
+
+@value_class(frozen=True, slots=True)
+class LinkFrame:
+    """Pose of a link."""
+
+    name: str
+    pose: Annotated[PlacedFrame, ValueForm.INLINE]
+
+
+@value_class(frozen=True, slots=True)
+class EulerAngles:
+    """Orientation of the tool as Euler angles."""
+
+    convention: str
+    names: Sequence[str]
+    """Names of the angles."""
+    degrees: Sequence[float]
+
+
+@value_class(frozen=True, slots=True)
+class ForwardReport:
+    """The object that `rapidsim kin fk --format json` prints."""
+
+    schema: ClassVar[int] = SCHEMA
+    """Grows when a key changes its meaning or is removed; new keys may be added at any time."""
+    robot: str
+    joints_deg: Sequence[float]
+    tcp: Annotated[PlacedFrame, ValueForm.INLINE]
+    euler: EulerAngles
+    """Orientation in the requested convention."""
+    matrix: Matrix
+    """Pose of the TCP as a 4x4 matrix [mm]."""
+    base: PlacedFrame
+    """Pose of the base in the world."""
+    links: Sequence[LinkFrame]
+    conf: Sequence[int]
+    """cf1, cf4, cf6, cfx."""
+
+
+@value_class(frozen=True, slots=True)
+class JointSolution:
+    """Joints that reach a pose."""
+
+    joints_deg: Sequence[float]
+    conf: Sequence[int]
+    """cf1, cf4, cf6, cfx."""
+    within_limits: bool
+    residual_mm: float
+    residual_deg: float
+
+
+@value_class(frozen=True, slots=True)
+class SearchRecord:
+    """Cost of a search."""
+
+    starts: int
+    iterations: int
+    tolerance_mm: float
+    tolerance_deg: float
+    time_s: float
+    """Wall-clock time."""
+
+
+@value_class(frozen=True, slots=True)
+class InverseReport:
+    """The object that `rapidsim kin ik --format json` prints."""
+
+    schema: ClassVar[int] = SCHEMA
+    """Grows when a key changes its meaning or is removed; new keys may be added at any time."""
+    robot: str
+    solver: str
+    solutions: Sequence[JointSolution]
+    reachable: bool
+    reason: Annotated[str | None, Key("why")]
+    """Reason why the pose cannot be reached; null if it can."""
+    search: OrAbsent[SearchRecord]
+    """Cost of a numerical solver."""
+
+
+@value_class(frozen=True, slots=True)
+class SingularityRecord:
+    """A singularity of the arm."""
+
+    name: str
+    distance: float
+    near: bool
+    reason: str
+
+
+@value_class(frozen=True, slots=True)
+class MissedTwist:
+    """Part of a twist that no joint speeds give."""
+
+    velocity_mm_s: Sequence[float]
+    turning_deg_s: Sequence[float]
+
+
+@value_class(frozen=True, slots=True)
+class JacobianReport:
+    """The object that `rapidsim kin jacobian --format json` prints."""
+
+    schema: ClassVar[int] = SCHEMA
+    """Grows when a key changes its meaning or is removed; new keys may be added at any time."""
+    robot: str
+    jacobian: Matrix
+    """Rows vx vy vz [m/rad], wx wy wz [rad/rad]."""
+    frame: ClassVar[str] = "base"
+    singular_values: Sequence[float]
+    manipulability: float
+    near: Sequence[str]
+    """Names of the nearby singularities."""
+    rank: int
+    singularities: Sequence[SingularityRecord]
+    joint_speeds_deg_s: OrAbsent[Sequence[float]]
+    """With --twist: joint speeds that give the twist; mm/s for a joint that slides."""
+    missed: OrAbsent[MissedTwist]
+    """With --twist: the part of the twist that no joint speeds give."""
+
+
+@value_class(frozen=True, slots=True)
+class DhRow:
+    """Denavit-Hartenberg parameters of a joint."""
+
+    theta_deg: float
+    d_mm: float
+    a_mm: float
+    alpha_deg: float
+    slides: bool
+
+
+@value_class(frozen=True, slots=True)
+class DhRecord:
+    """The Denavit-Hartenberg table of an arm."""
+
+    form: ClassVar[str] = "standard"
+    base: Matrix
+    """Frame before the first row as a 4x4 matrix [mm]."""
+    rows: Sequence[DhRow]
+    flange: Matrix
+    """Frame after the last row as a 4x4 matrix [mm]."""
+
+
+@value_class(frozen=True, slots=True)
+class ScrewAxis:
+    """Axis of a joint with all joints at zero."""
+
+    direction: Sequence[float]
+    moment_mm: Sequence[float]
+    point_mm: Sequence[float]
+    """A point on the axis."""
+
+
+@value_class(frozen=True, slots=True)
+class ScrewRecord:
+    """The axes of an arm with all joints at zero."""
+
+    frame: ClassVar[str] = "base"
+    axes: Sequence[ScrewAxis]
+    flange_at_zero: Matrix
+    """Pose of the flange as a 4x4 matrix [mm]."""
+
+
+@value_class(frozen=True, slots=True)
+class AxisTables:
+    """Tables of the axes of an arm."""
+
+    dh: DhRecord | None
+    """With --table: the Denavit-Hartenberg table; null if rods couple the joints."""
+    screws: ScrewRecord | None
+    """With --table: the axes of the joints; null if rods couple the joints."""
+
+
+def forward_report(postures: Postures, convention: Convention) -> ForwardReport:
     """Poses of the TCP and the links; in the world, if the base is placed in it."""
     robot, joints, stands = postures.robot, postures.rows[0].joints, postures.world_from_base
     tcp = postures.world_from_tcp
     links = stands @ robot.kinematics.link_frames(joints)
-    return {
-        "schema": 1,
-        "robot": robot.name,
-        "joints_deg": _plain(np.degrees(joints).round(_DIGITS)),
-        **_pose(tcp),
-        "euler": {
-            "convention": convention.value,
-            "names": list(convention.names),
-            "degrees": _plain(np.degrees(euler_from_rotation(tcp.rotation, convention))),
-        },
-        "matrix": _plain(_in_mm(tcp)),
-        "base": _pose(stands),
-        "links": [
-            {"name": f"link_{number}", **_pose(links[number - 1])}
+    angles = _plain(np.degrees(euler_from_rotation(tcp.rotation, convention)))
+    return ForwardReport(
+        robot=robot.name,
+        joints_deg=_plain(np.degrees(joints).round(_DIGITS)),
+        tcp=_pose(tcp),
+        euler=EulerAngles(convention.value, convention.names, angles),
+        matrix=_plain(_in_mm(tcp)),
+        base=_pose(stands),
+        links=[
+            LinkFrame(f"link_{number}", _pose(links[number - 1]))
             for number in range(1, len(links) + 1)
         ],
-        "conf": confdata_of(robot.kinematics, joints).tolist(),
-    }
+        conf=confdata_of(robot.kinematics, joints).tolist(),
+    )
 
 
-def inverse_json(
+def inverse_report(
     robot: Robot, solver: str, solutions: PoseSolutions, searched: SearchCost | None
-) -> dict[str, object]:
+) -> InverseReport:
     """The joints that reach a pose, or why none do."""
-    report: dict[str, object] = {
-        "schema": 1,
-        "robot": robot.name,
-        "solver": solver,
-        "solutions": [
-            {
-                "joints_deg": _plain(np.degrees(solution.joints)),
-                "conf": list(solution.confdata),
-                "within_limits": solution.within_limits,
-                "residual_mm": solution.distance * 1000.0,
-                "residual_deg": degrees(solution.angle),
-            }
+    return InverseReport(
+        robot=robot.name,
+        solver=solver,
+        solutions=[
+            JointSolution(
+                joints_deg=_plain(np.degrees(solution.joints)),
+                conf=solution.confdata,
+                within_limits=solution.within_limits,
+                residual_mm=solution.distance * 1000.0,
+                residual_deg=degrees(solution.angle),
+            )
             for solution in solutions.solutions
         ],
-        "reachable": solutions.reason is None,
-        "why": solutions.reason,
-    }
-    if searched:
-        report["search"] = {
-            "starts": searched.starts,
-            "iterations": searched.iterations,
-            "tolerance_mm": searched.tolerance * 1000.0,
-            "tolerance_deg": degrees(searched.tolerance),
-            "time_s": searched.seconds,
-        }
-    return report
+        reachable=solutions.reason is None,
+        reason=solutions.reason,
+        search=None if searched is None else _search(searched),
+    )
 
 
-def jacobian_json(
+def _search(cost: SearchCost) -> SearchRecord:
+    return SearchRecord(
+        starts=cost.starts,
+        iterations=cost.iterations,
+        tolerance_mm=cost.tolerance * 1000.0,
+        tolerance_deg=degrees(cost.tolerance),
+        time_s=cost.seconds,
+    )
+
+
+def jacobian_report(
     robot: Robot, differential: Differential, twist: Array | None
-) -> dict[str, object]:
+) -> JacobianReport:
     """The Jacobian and what follows from it; with a twist (6,) [m/s, rad/s] also joint speeds."""
-    report: dict[str, object] = {
-        "schema": 1,
-        "robot": robot.name,
-        "jacobian": _plain(differential.jacobian),
-        "frame": "base",
-        "singular_values": _plain(differential.singular_values),
-        "manipulability": differential.manipulability,
-        "near": list(differential.near),
-        "rank": differential.rank,
-        "singularities": [
-            {"name": s.name, "distance": s.distance, "near": s.near, "reason": s.reason}
-            for s in differential.singularities
-        ],
-    }
+    speeds, missed = None, None
     if twist is not None:
-        speeds, missed = joint_speeds(differential.jacobian, twist)
-        report["joint_speeds_deg_s"] = _plain(rapid_speeds(robot.kinematics, speeds))
-        report["missed"] = {
-            "velocity_mm_s": _plain(missed[:3] * 1000.0),
-            "turning_deg_s": _plain(np.degrees(missed[3:])),
-        }
-    return report
+        rates, rest = joint_speeds(differential.jacobian, twist)
+        speeds = _plain(rapid_speeds(robot.kinematics, rates))
+        missed = MissedTwist(_plain(rest[:3] * 1000.0), _plain(np.degrees(rest[3:])))
+    return JacobianReport(
+        robot=robot.name,
+        jacobian=_plain(differential.jacobian),
+        singular_values=_plain(differential.singular_values),
+        manipulability=differential.manipulability,
+        near=differential.near,
+        rank=differential.rank,
+        singularities=[
+            SingularityRecord(one.name, one.distance, one.near, one.reason)
+            for one in differential.singularities
+        ],
+        joint_speeds_deg_s=speeds,
+        missed=missed,
+    )
 
 
-def axis_tables_json(robot: Robot) -> dict[str, object]:
+def axis_tables(robot: Robot) -> AxisTables:
     """The DH table and the screws of an arm; null where rods couple its joints."""
     dh, screws = dh_table_of(robot.kinematics), screws_of(robot.kinematics)
     if dh is None or screws is None:
-        return {"dh": None, "screws": None}
-    return {
-        "dh": {
-            "form": "standard",
-            "base": _plain(_in_mm(dh.base)),
-            "rows": [
-                {"theta_deg": degrees(t), "d_mm": 1000.0 * d, "a_mm": 1000.0 * a,
-                 "alpha_deg": degrees(alpha), "slides": slides}
-                for (t, d, a, alpha), slides in zip(
-                    np.column_stack([dh.theta, dh.d, dh.a, dh.alpha]).tolist(),
-                    dh.slides.tolist(),
-                    strict=True,
-                )
-            ],
-            "flange": _plain(_in_mm(dh.flange)),
-        },
-        "screws": {
-            "frame": "base",
-            "axes": [
-                {"direction": turn, "moment_mm": moment, "point_mm": point}
-                for turn, moment, point in zip(
-                    _plain(screws.turns),
-                    _plain(screws.moments_mm),
-                    _plain(1000.0 * screws.points),
-                    strict=True,
-                )
-            ],
-            "flange_at_zero": _plain(_in_mm(screws.base_from_flange)),
-        },
-    }  # fmt: skip
+        return AxisTables(None, None)
+    parameters = np.column_stack([dh.theta, dh.d, dh.a, dh.alpha]).tolist()
+    rows = [
+        DhRow(degrees(theta), 1000.0 * d, 1000.0 * a, degrees(alpha), slides)
+        for (theta, d, a, alpha), slides in zip(parameters, dh.slides.tolist(), strict=True)
+    ]
+    lines = _plain(screws.turns), _plain(screws.moments_mm), _plain(1000.0 * screws.points)
+    axes = [ScrewAxis(*line) for line in zip(*lines, strict=True)]
+    return AxisTables(
+        DhRecord(_plain(_in_mm(dh.base)), rows, _plain(_in_mm(dh.flange))),
+        ScrewRecord(axes, _plain(_in_mm(screws.base_from_flange))),
+    )
 
 
 def _in_mm(frame: Transform) -> Array:
@@ -159,14 +322,13 @@ def _in_mm(frame: Transform) -> Array:
     return matrix
 
 
-def _pose(base_from_frame: Transform) -> dict[str, object]:
-    return {
-        "position_mm": _plain(base_from_frame.translation * 1000.0),
-        "quaternion": _plain(base_from_frame.quaternion),
-    }
+def _pose(base_from_frame: Transform) -> PlacedFrame:
+    return PlacedFrame(
+        _plain(base_from_frame.translation * 1000.0), _plain(base_from_frame.quaternion)
+    )
 
 
-def _plain(values: Array) -> list[object]:
+def _plain(values: Array) -> list[Any]:
     """Numbers without a negative zero."""
-    numbers: list[object] = (values + 0.0).tolist()
+    numbers: list[Any] = (values + 0.0).tolist()
     return numbers

@@ -93,16 +93,17 @@ class LogFit:
 
     name: str
     rows: int
-    rms_before_s: float
-    rms_after_s: float
     duration_s: float
     """Duration of the logged motion."""
+    rms_before_s: float
+    rms_after_s: float
     end_before_s: float
     """Our duration less the log's, with the model as it was."""
     end_after_s: float
     rms_left_out_s: float | None
-    """Deviation if only the other logs are fitted; None without other logs."""
+    """Deviation if only the other logs are fitted; null without other logs."""
     end_left_out_s: float | None
+    """Deviation if only the other logs are fitted; null without other logs."""
 
 
 @value_class(frozen=True, slots=True)
