@@ -71,7 +71,7 @@ class MoveRecord:
     joints_deg: tuple[Rounded, ...]
     conf: tuple[int, ...]
     """cf1, cf4, cf6, cfx."""
-    external: OrAbsent[Mapping[str, Rounded | None]] = None
+    external: OrAbsent[Mapping[str, Rounded]] = None
     """External axes by component [mm or degrees]; None if there are no external axes."""
 
     def __repr__(self) -> str:
