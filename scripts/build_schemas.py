@@ -10,6 +10,7 @@ from collections.abc import Iterator, Mapping
 from pathlib import Path
 from typing import Any
 
+from rapidsim.cli.commands.frames import FramesReport
 from rapidsim.cli.machine_output import ErrorReport
 from rapidsim.comparison.changes import ComparisonReport
 from rapidsim.jobs.running.protocol import ProtocolReport
@@ -18,7 +19,6 @@ from rapidsim.report.findings.check_report import CheckReport
 from rapidsim.report.run.calibration import CalibrationReport
 from rapidsim.report.run.json_report import RunReport
 from rapidsim.report.tables.follow_json import FollowComparison, FollowReport
-from rapidsim.report.tables.frame_text import FramesReport
 from rapidsim.report.tables.kin_json import ForwardReport, InverseReport, JacobianReport
 from rapidsim.report.tables.ranking_table import RankingReport
 from rapidsim.report.tables.robot_records import CatalogueReport, RobotPageRecord

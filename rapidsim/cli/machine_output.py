@@ -8,9 +8,9 @@ import sys
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager, redirect_stdout
 from itertools import zip_longest
-from typing import ClassVar
 
 from rapidsim.cli.terminal import echo
+from rapidsim.json_records.declarations import OutputRecord
 from rapidsim.values import value_class
 
 SCHEMA = 1
@@ -42,11 +42,9 @@ class CommandError:
 
 
 @value_class(frozen=True, slots=True)
-class ErrorReport:
+class ErrorReport(OutputRecord):
     """The object of a command that cannot do its work."""
 
-    schema: ClassVar[int] = SCHEMA
-    """Grows when a key changes its meaning or is removed; new keys may be added at any time."""
     error: CommandError
     """Reason of the failure; next to other keys, a failure after these were known."""
 

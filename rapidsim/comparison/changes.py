@@ -2,13 +2,11 @@
 
 from __future__ import annotations
 
-from typing import Annotated, ClassVar, TypeAlias
+from typing import Annotated, TypeAlias
 
 from rapidsim.diagnostics import Severity
-from rapidsim.json_records.declarations import Key
+from rapidsim.json_records.declarations import Key, OutputRecord
 from rapidsim.values import value_class
-
-SCHEMA = 1
 
 
 @value_class(frozen=True, slots=True)
@@ -176,11 +174,9 @@ class Comparison:
 
 
 @value_class(frozen=True, slots=True)
-class ComparisonReport:
+class ComparisonReport(OutputRecord):
     """The object that `rapidsim diff --format json` prints."""
 
-    schema: ClassVar[int] = SCHEMA
-    """Grows when a key changes its meaning or is removed; new keys may be added at any time."""
     names: tuple[str, str]
     """A and B, as the user named them."""
     same: bool

@@ -52,6 +52,14 @@ Lenient: TypeAlias = Annotated[T, ValueForm.LENIENT]
 
 
 @value_class(frozen=True, slots=True)
+class OutputRecord:
+    """The object that a command prints with `--format json`."""
+
+    schema: ClassVar[int] = 1
+    """Grows when a key changes its meaning or is removed; new keys may be added at any time."""
+
+
+@value_class(frozen=True, slots=True)
 class Key:
     """Key of a field that has another name in Python."""
 

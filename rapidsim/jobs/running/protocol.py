@@ -12,10 +12,10 @@ from collections.abc import Mapping
 from dataclasses import replace
 from pathlib import Path
 from tempfile import TemporaryDirectory
-from typing import ClassVar
 
 from rapidsim.files import InputError, input_bytes
 from rapidsim.jobs.running.run_files import simulate
+from rapidsim.json_records.declarations import OutputRecord
 from rapidsim.json_records.encoding import json_of
 from rapidsim.language.error_numbers import NUMBERS
 from rapidsim.shipped import shipped
@@ -50,7 +50,6 @@ TIMED = frozenset({16, 17, 18, 19, 20})
 """Questions whose answers are times [s]."""
 _MOVING = frozenset({18, 19, 20})
 _VERSION = "2"
-SCHEMA = 1
 _FULL_SPEED = "100"
 _SAME_ARM = 0.1
 """Largest relative deviation of a type's reach and payload from the catalogue: 0.6 m for 0.58."""
@@ -60,11 +59,9 @@ _LONGEST = 80
 
 
 @value_class(frozen=True, slots=True)
-class ProtocolReport:
+class ProtocolReport(OutputRecord):
     """The object that `rapidsim protocol --format json` prints."""
 
-    schema: ClassVar[int] = SCHEMA
-    """Grows when a key changes its meaning or is removed; new keys may be added at any time."""
     questions: int
     """Version of the questions."""
     robotware: str

@@ -3,16 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import ClassVar
 
 from rapidsim.jobs.checking.check_result import CheckResult
-from rapidsim.json_records.declarations import OrAbsent
+from rapidsim.json_records.declarations import OrAbsent, OutputRecord
 from rapidsim.report.findings.diagnostic_records import DiagnosticRecord, diagnostic_record
 from rapidsim.report.findings.merging import Finding
 from rapidsim.report.findings.statistics import RuleCount
 from rapidsim.values import value_class
-
-SCHEMA = 1
 
 
 @value_class(frozen=True, slots=True)
@@ -45,11 +42,9 @@ class CheckCoverage:
 
 
 @value_class(frozen=True, slots=True)
-class CheckReport:
+class CheckReport(OutputRecord):
     """The object that `rapidsim check --format json` prints."""
 
-    schema: ClassVar[int] = SCHEMA
-    """Grows when a key changes its meaning or is removed; new keys may be added at any time."""
     ok: bool
     """Whether nothing fails the check: the exit code is 0."""
     qualifications: tuple[str, ...]

@@ -2,18 +2,16 @@
 
 from __future__ import annotations
 
-from typing import Annotated, ClassVar
+from typing import Annotated
 
 from rich.console import Group, RenderableType
 from rich.table import Table
 from rich.text import Text
 
-from rapidsim.json_records.declarations import Key, OrAbsent
+from rapidsim.json_records.declarations import Key, OrAbsent, OutputRecord
 from rapidsim.json_records.encoding import json_of
 from rapidsim.simulation.calibration.fit import Calibration, Fitted, LogFit
 from rapidsim.values import value_class
-
-SCHEMA = 1
 
 _MEANINGS = {
     "torque": "factor on the known torque of the axis",
@@ -111,11 +109,9 @@ class FittedParameter:
 
 
 @value_class(frozen=True, slots=True)
-class CalibrationReport:
+class CalibrationReport(OutputRecord):
     """The object that `rapidsim calibrate --format json` prints."""
 
-    schema: ClassVar[int] = SCHEMA
-    """Grows when a key changes its meaning or is removed; new keys may be added at any time."""
     parameters: tuple[FittedParameter, ...]
     logs: tuple[LogFit, ...]
 

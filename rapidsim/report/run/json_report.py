@@ -8,7 +8,14 @@ from typing import Annotated, Any, ClassVar
 
 from rapidsim.controller.moves.executed_move import ExecutedMove
 from rapidsim.diagnostics import Diagnostic
-from rapidsim.json_records.declarations import Key, Lenient, OrAbsent, Rounded, ValueForm
+from rapidsim.json_records.declarations import (
+    Key,
+    Lenient,
+    OrAbsent,
+    OutputRecord,
+    Rounded,
+    ValueForm,
+)
 from rapidsim.json_records.encoding import json_of
 from rapidsim.report.findings.diagnostic_records import DiagnosticRecord, diagnostic_record
 from rapidsim.report.findings.merging import merged
@@ -35,8 +42,6 @@ from rapidsim.simulation.results.simulation import End, Simulation, WrittenFile
 from rapidsim.simulation.results.slow_sections import slow_sections
 from rapidsim.simulation.results.time_shares import Share
 from rapidsim.values import value_class
-
-SCHEMA = 3
 
 
 @value_class(frozen=True, slots=True)
@@ -171,11 +176,10 @@ class RunFiles:
 
 
 @value_class(frozen=True, slots=True)
-class RunReport:
+class RunReport(OutputRecord):
     """The object that `rapidsim run --format json` prints."""
 
-    schema: ClassVar[int] = SCHEMA
-    """Grows when a key changes its meaning or is removed; new keys may be added at any time."""
+    schema: ClassVar[int] = 3
     program: tuple[str, ...]
     """Files, as the user named them."""
     robot: Lenient[str]

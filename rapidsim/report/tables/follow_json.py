@@ -7,19 +7,17 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from math import degrees
-from typing import Annotated, ClassVar
+from typing import Annotated
 
 import numpy as np
 
-from rapidsim.json_records.declarations import Key, OrAbsent, ValueForm
+from rapidsim.json_records.declarations import Key, OrAbsent, OutputRecord, ValueForm
 from rapidsim.motion.waypoints.follow import FollowedTrajectory
 from rapidsim.motion.waypoints.plan import Refused, Way
 from rapidsim.motion.waypoints.reachability import PointReach
 from rapidsim.motion.waypoints.solver_seeds import SeededSolve
 from rapidsim.report.tables.follow_tables import Attempt, RequestedPoints
 from rapidsim.values import value_class
-
-SCHEMA = 1
 
 
 @value_class(frozen=True, slots=True)
@@ -55,11 +53,9 @@ class PointRecord:
 
 
 @value_class(frozen=True, slots=True)
-class RequestedPointsRecord:
+class RequestedPointsRecord(OutputRecord):
     """Requested points."""
 
-    schema: ClassVar[int] = SCHEMA
-    """Grows when a key changes its meaning or is removed; new keys may be added at any time."""
     robot: str
     speed_mm_s: float
     acceleration_mm_s2: float

@@ -3,19 +3,16 @@
 from __future__ import annotations
 
 import math
-from typing import Annotated, ClassVar
+from typing import Annotated
 
 from rich.text import Text
 from rich.tree import Tree
 
 from rapidsim.frames.quaternion import normalised
-from rapidsim.json_records.declarations import OrAbsent, ValueForm
+from rapidsim.json_records.declarations import ValueForm
 from rapidsim.language.data import IDENTITY_POSE, Orient, Pose
-from rapidsim.report.findings.diagnostic_records import DiagnosticRecord
 from rapidsim.report.tables.frame_tree import FrameNode
 from rapidsim.values import value_class
-
-SCHEMA = 1
 
 _STYLES = {"tool": "green", "user": "yellow", "object": "yellow", "target": "cyan"}
 _SHOWN_TARGETS = 40
@@ -44,18 +41,6 @@ class FrameRecord:
     world: FramePose | None
     """Pose in the world; null if it depends on the posture of the arm."""
     children: tuple[FrameRecord, ...]
-
-
-@value_class(frozen=True, slots=True)
-class FramesReport:
-    """The object that `rapidsim frames --format json` prints."""
-
-    schema: ClassVar[int] = SCHEMA
-    """Grows when a key changes its meaning or is removed; new keys may be added at any time."""
-    root: FrameRecord | None
-    """Null if the program has errors."""
-    diagnostics: OrAbsent[tuple[DiagnosticRecord, ...]] = None
-    """Errors of a program without a tree."""
 
 
 def frame_text(frame: FrameNode) -> Tree:

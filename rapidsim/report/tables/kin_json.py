@@ -10,7 +10,7 @@ import numpy as np
 
 from rapidsim.frames.euler import Convention, euler_from_rotation
 from rapidsim.frames.transform import Array, Transform
-from rapidsim.json_records.declarations import Key, OrAbsent, ValueForm
+from rapidsim.json_records.declarations import Key, OrAbsent, OutputRecord, ValueForm
 from rapidsim.motion.configurations.confdata import confdata_of
 from rapidsim.motion.configurations.pose_solutions import PoseSolutions
 from rapidsim.motion.configurations.postures import Postures
@@ -35,7 +35,6 @@ class SearchCost:
     """By the clock on the wall; nothing depends on it."""
 
 
-SCHEMA = 1
 Matrix: TypeAlias = Sequence[Sequence[float]]
 
 
@@ -67,11 +66,9 @@ class EulerAngles:
 
 
 @value_class(frozen=True, slots=True)
-class ForwardReport:
+class ForwardReport(OutputRecord):
     """The object that `rapidsim kin fk --format json` prints."""
 
-    schema: ClassVar[int] = SCHEMA
-    """Grows when a key changes its meaning or is removed; new keys may be added at any time."""
     robot: str
     joints_deg: Sequence[float]
     tcp: Annotated[PlacedFrame, ValueForm.INLINE]
@@ -111,11 +108,9 @@ class SearchRecord:
 
 
 @value_class(frozen=True, slots=True)
-class InverseReport:
+class InverseReport(OutputRecord):
     """The object that `rapidsim kin ik --format json` prints."""
 
-    schema: ClassVar[int] = SCHEMA
-    """Grows when a key changes its meaning or is removed; new keys may be added at any time."""
     robot: str
     solver: str
     solutions: Sequence[JointSolution]
@@ -145,11 +140,9 @@ class MissedTwist:
 
 
 @value_class(frozen=True, slots=True)
-class JacobianReport:
+class JacobianReport(OutputRecord):
     """The object that `rapidsim kin jacobian --format json` prints."""
 
-    schema: ClassVar[int] = SCHEMA
-    """Grows when a key changes its meaning or is removed; new keys may be added at any time."""
     robot: str
     jacobian: Matrix
     """Rows vx vy vz [m/rad], wx wy wz [rad/rad]."""

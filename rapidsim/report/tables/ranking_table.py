@@ -3,19 +3,18 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Annotated, ClassVar
+from typing import Annotated
 
 from rich.console import Group, RenderableType
 from rich.padding import Padding
 from rich.text import Text
 
-from rapidsim.json_records.declarations import Key
+from rapidsim.json_records.declarations import Key, OutputRecord
 from rapidsim.json_records.encoding import json_of
 from rapidsim.reach.arm_ranking import ProgramTargets, RankedArm
 from rapidsim.report.untruncated_table import UntruncatedTable
 from rapidsim.values import value_class
 
-SCHEMA = 1
 _MOST_ROWS = 20
 _MEANING = (
     "reached: targets within reach and limits; as stored: in the configuration that the target "
@@ -68,11 +67,9 @@ class RankedRobot:
 
 
 @value_class(frozen=True, slots=True)
-class RankingReport:
+class RankingReport(OutputRecord):
     """The object that `rapidsim robots --for PATH --format json` prints."""
 
-    schema: ClassVar[int] = SCHEMA
-    """Grows when a key changes its meaning or is removed; new keys may be added at any time."""
     program: str
     """PATH, as the user named it."""
     targets: int

@@ -5,13 +5,11 @@ from __future__ import annotations
 from math import degrees
 from typing import Annotated, ClassVar
 
-from rapidsim.json_records.declarations import ValueForm
+from rapidsim.json_records.declarations import OutputRecord, ValueForm
 from rapidsim.motion.robot.robot import Joint, Robot
 from rapidsim.motion.waypoints.workspace import ArmWorkspace
 from rapidsim.report.tables.kin_json import AxisTables
 from rapidsim.values import value_class
-
-SCHEMA = 1
 
 
 @value_class(frozen=True, slots=True)
@@ -49,11 +47,9 @@ class RobotRecord:
 
 
 @value_class(frozen=True, slots=True)
-class CatalogueReport:
+class CatalogueReport(OutputRecord):
     """The object that `rapidsim robots --format json` prints."""
 
-    schema: ClassVar[int] = SCHEMA
-    """Grows when a key changes its meaning or is removed; new keys may be added at any time."""
     robots: tuple[RobotRecord, ...]
 
 
