@@ -11,7 +11,7 @@ from pathlib import Path
 from typing import Any
 
 from rapidsim.cli.commands.frames import FramesReport
-from rapidsim.cli.machine_output import ErrorReport
+from rapidsim.cli.machine_output import ErrorReport, TextReport
 from rapidsim.comparison.changes import ComparisonReport
 from rapidsim.jobs.running.protocol import ProtocolReport
 from rapidsim.json_records.schema import Schema, SchemaWriter
@@ -29,20 +29,20 @@ ERROR = "error"
 WIDTH = 120
 """Characters of a line that a value may fill."""
 OUTPUTS: Mapping[str, tuple[str, type[Any]]] = {
-    "calibrate": ("calibrate --format json", CalibrationReport),
-    "check": ("check --format json", CheckReport),
-    "diff": ("diff --format json", ComparisonReport),
-    "follow": ("follow --format json", FollowReport),
-    "follow-compare": ("follow --compare --format json", FollowComparison),
-    "frames": ("frames --format json", FramesReport),
-    "kin-fk": ("kin fk --format json", ForwardReport),
-    "kin-ik": ("kin ik --format json", InverseReport),
-    "kin-jacobian": ("kin jacobian --format json", JacobianReport),
-    "protocol": ("protocol --format json", ProtocolReport),
-    "robot": ("robots NAME --format json", RobotPageRecord),
-    "robots": ("robots --format json", CatalogueReport),
-    "robots-for": ("robots --for PATH --format json", RankingReport),
-    "run": ("run --format json", RunReport),
+    "calibrate": ("calibrate", CalibrationReport),
+    "check": ("check", CheckReport),
+    "diff": ("diff", ComparisonReport),
+    "follow": ("follow", FollowReport),
+    "follow-compare": ("follow --compare", FollowComparison),
+    "frames": ("frames", FramesReport),
+    "kin-fk": ("kin fk", ForwardReport),
+    "kin-ik": ("kin ik", InverseReport),
+    "kin-jacobian": ("kin jacobian", JacobianReport),
+    "protocol": ("protocol", ProtocolReport),
+    "robot": ("robots NAME", RobotPageRecord),
+    "robots": ("robots", CatalogueReport),
+    "robots-for": ("robots --for PATH", RankingReport),
+    "run": ("run", RunReport),
 }
 """Title and record of the output of each command, by the name of its schema."""
 
@@ -63,23 +63,17 @@ def _error_schema() -> Schema:
 def _output_schema(title: str, record: type[Any]) -> Schema:
     """Return the schema of an output, which may also be an error or the text of `--help`."""
     writer = SchemaWriter()
-    errors, whole = writer.object_of(ErrorReport), writer.object_of(record)
-    text = {"type": "string", "description": "with --help or --version: their text"}
+    error, text, output = map(writer.object_of, (ErrorReport, TextReport, record))
     return {
         "$schema": DRAFT,
-        "title": f"rapidsim {title}",
+        "title": f"rapidsim {title} --format json",
         "type": "object",
-        "properties": {**whole["properties"], **_missing(errors, whole), "text": text},
+        "properties": output["properties"] | error["properties"] | text["properties"],
         "if": {"anyOf": [{"required": ["error"]}, {"required": ["text"]}]},
-        "then": {"required": [key for key in whole["required"] if key == "schema"]},
-        "else": {"required": whole["required"]},
+        "then": {"required": [key for key in output["required"] if key == "schema"]},
+        "else": {"required": output["required"]},
         **_defs(writer),
     }
-
-
-def _missing(errors: Schema, whole: Schema) -> Schema:
-    listed = whole["properties"]
-    return {key: value for key, value in errors["properties"].items() if key not in listed}
 
 
 def _defs(writer: SchemaWriter) -> Schema:

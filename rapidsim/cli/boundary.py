@@ -20,9 +20,9 @@ from rapidsim.cli.exit_codes import ExitCode
 from rapidsim.cli.group import commands
 from rapidsim.cli.interrupted import Terminated, TimeOverError
 from rapidsim.cli.machine_output import (
-    SCHEMA,
     CommandError,
     ErrorReport,
+    TextReport,
     is_json_requested,
     output_to_stderr,
     print_object,
@@ -110,7 +110,7 @@ def _printing_an_object(arguments: Sequence[str], terminal: Terminal) -> int:
         report = (
             json_of(ErrorReport(error)) if report is None else {**report, "error": json_of(error)}
         )
-    print_object(report or {"schema": SCHEMA, "text": aside.getvalue()})
+    print_object(report or json_of(TextReport(aside.getvalue())))
     sys.stdout.flush()
     return ended.code if isinstance(ended, _Failure) else ended
 

@@ -13,7 +13,6 @@ from rapidsim.cli.terminal import echo
 from rapidsim.json_records.declarations import OutputRecord
 from rapidsim.values import value_class
 
-SCHEMA = 1
 _OPTIONS = ("--format", "--output-format")
 _FORMAT = "json"
 
@@ -47,6 +46,14 @@ class ErrorReport(OutputRecord):
 
     error: CommandError
     """Reason of the failure; next to other keys, a failure after these were known."""
+
+
+@value_class(frozen=True, slots=True)
+class TextReport(OutputRecord):
+    """The object of a command that prints a text."""
+
+    text: str
+    """With --help or --version: their text."""
 
 
 def print_object(value: dict[str, object]) -> None:
