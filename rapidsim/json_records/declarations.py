@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import dataclasses
 from collections.abc import Mapping, Sequence
+from dataclasses import MISSING
 from enum import Enum
 from functools import cache
 from types import NoneType, UnionType
@@ -37,7 +38,7 @@ class ValueForm(Enum):
     LENIENT = "lenient"
     """A value that saved outputs may lack; it is empty then."""
     OPTIONAL = "optional"
-    """A value that is omitted where it is None."""
+    """A value that is omitted where it is the default; without a default, where it is None."""
     ROUNDED = "rounded"
     """A number with 8 decimals; null if it is not finite."""
 
@@ -77,9 +78,10 @@ class RecordField:
     is_constant: bool
     is_inline: bool
     is_optional: bool
-    """Whether it is omitted where it is None."""
+    """Whether its key may be missing."""
     is_lenient: bool
-    has_default: bool
+    default: object
+    """`MISSING` if there is none."""
 
 
 @cache
@@ -102,7 +104,7 @@ def record_fields(record: Any) -> tuple[RecordField, ...]:
                 is_inline=ValueForm.INLINE in marks,
                 is_optional=ValueForm.OPTIONAL in marks,
                 is_lenient=ValueForm.LENIENT in marks,
-                has_default=is_constant or _has_default(declared[name]),
+                default=MISSING if is_constant else declared[name].default,
             )
         )
     return tuple(found)
@@ -136,8 +138,3 @@ def item_type(type_: Any) -> Any:
 def value_type(type_: Any) -> Any:
     """Return the type of the values of an object without declared keys; None for other types."""
     return get_args(type_)[1] if get_origin(type_) is Mapping else None
-
-
-def _has_default(field: dataclasses.Field[Any]) -> bool:
-    missing = dataclasses.MISSING
-    return field.default is not missing or field.default_factory is not missing

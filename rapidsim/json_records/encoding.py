@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Mapping
+from dataclasses import MISSING
 from enum import Enum
 from operator import attrgetter
 from types import MappingProxyType
@@ -51,9 +52,10 @@ class RecordEncoder:
         values: dict[str, Any] = {}
         for field in fields:
             value = getattr(record, field.name)
+            if field.is_optional and value == field.omitted:
+                continue
             if value is None:
-                if not field.is_optional:
-                    values[field.key] = None
+                values[field.key] = None
                 continue
             if field.conversion is not None:
                 value = field.conversion(value)
@@ -71,6 +73,7 @@ class RecordEncoder:
                 self._conversion(one.type),
                 one.is_inline,
                 one.is_optional or one.is_inline,
+                None if one.is_inline or one.default is MISSING else one.default,
             )
             for one in record_fields(kind)
         )
@@ -124,6 +127,8 @@ class _Field:
     conversion: Conversion | None
     is_inline: bool
     is_optional: bool
+    omitted: object
+    """The value whose key is omitted, if it is optional."""
 
 
 json_of = RecordEncoder()

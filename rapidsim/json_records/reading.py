@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Mapping
+from dataclasses import MISSING
 from enum import Enum
 from functools import cache
 from types import MappingProxyType
@@ -55,9 +56,9 @@ class RecordReader:
                 values[field.name] = convert(found, path)
             elif field.key in found:
                 values[field.name] = convert(found[field.key], (path, field.key))
-            elif field.is_optional:
-                values[field.name] = None
-            elif not field.has_default:
+            elif field.is_optional or field.default is not MISSING:
+                values[field.name] = None if field.default is MISSING else field.default
+            else:
                 raise WrongValueError((path, field.key), "is missing")
         return record(**values)
 
