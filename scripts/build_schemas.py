@@ -13,7 +13,7 @@ from typing import Any
 from rapidsim.cli.commands.frames import FramesReport
 from rapidsim.cli.machine_output import ErrorReport, TextReport
 from rapidsim.comparison.changes import ComparisonReport
-from rapidsim.jobs.running.protocol import ProtocolReport
+from rapidsim.jobs.running.protocol import Protocol
 from rapidsim.json_records.schema import Schema, SchemaWriter
 from rapidsim.report.findings.check_report import CheckReport
 from rapidsim.report.run.calibration import CalibrationReport
@@ -38,7 +38,7 @@ OUTPUTS: Mapping[str, tuple[str, type[Any]]] = {
     "kin-fk": ("kin fk", ForwardReport),
     "kin-ik": ("kin ik", InverseReport),
     "kin-jacobian": ("kin jacobian", JacobianReport),
-    "protocol": ("protocol", ProtocolReport),
+    "protocol": ("protocol", Protocol),
     "robot": ("robots NAME", RobotPageRecord),
     "robots": ("robots", CatalogueReport),
     "robots-for": ("robots --for PATH", RankingReport),

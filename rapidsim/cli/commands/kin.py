@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from math import degrees
 from time import perf_counter
 from typing import TYPE_CHECKING, Any, TypeVar
 
@@ -343,7 +344,9 @@ def _search(arm: Robot, pose: Transform, method: str) -> tuple[Any, SearchCost]:
     began = perf_counter()
     found = search(arm, pose, method)
     seconds = perf_counter() - began
-    searched = SearchCost(found.starts, found.iterations, TOLERANCE, seconds)
+    searched = SearchCost(
+        found.starts, found.iterations, TOLERANCE * 1000.0, degrees(TOLERANCE), seconds
+    )
     if found.solved:
         return PoseSolutions((solution(arm, pose, found.joints),), None), searched
     known = unreachable_reason(arm, pose)

@@ -17,6 +17,7 @@ from rapidsim.cli.terminal import (
 from rapidsim.files import InputError
 from rapidsim.jobs.inputs.robot_choice import DEFAULT_ROBOT
 from rapidsim.jobs.running.protocol import MODULE, arm_of, questions, read_protocol, run_protocol
+from rapidsim.json_records.encoding import json_of
 from rapidsim.report.tables.protocol_table import protocol_table
 
 
@@ -47,7 +48,7 @@ def protocol(answers: str | None, robot: str | None, output_format: str) -> int:
         return ExitCode.CLEAN
     theirs = read_protocol(Path(answers))
     if output_format == "json":
-        print_json(theirs.as_json())
+        print_json(json_of(theirs))
     else:
         arm = robot or arm_of(theirs) or DEFAULT_ROBOT
         current_terminal().show(protocol_table(theirs, run_protocol(arm), arm))

@@ -2,13 +2,11 @@
 
 from __future__ import annotations
 
-from typing import Annotated
-
 from rich.console import Group, RenderableType
 from rich.table import Table
 from rich.text import Text
 
-from rapidsim.json_records.declarations import Key, OrAbsent, OutputRecord
+from rapidsim.json_records.declarations import OutputRecord
 from rapidsim.json_records.encoding import json_of
 from rapidsim.simulation.calibration.fit import Calibration, Fitted, LogFit
 from rapidsim.values import value_class
@@ -29,7 +27,7 @@ def as_text(calibration: Calibration) -> RenderableType:
     for title in ("parameter", "before", "now", "+-", ""):
         fitted.add_column(title, justify="right" if title in ("before", "now", "+-") else "left")
     for one in calibration.parameters:
-        unit = " s" if one.in_seconds else ""
+        unit = " s" if one.value_s is not None else ""
         values = (one.start, one.value, one.uncertainty)
         fitted.add_row(one.name, *(f"{value:.3f}{unit}" for value in values), _remark(one))
     met = Table(box=None, pad_edge=False)
@@ -87,55 +85,16 @@ def _share(seconds: float | None, whole_s: float) -> str:
 
 
 @value_class(frozen=True, slots=True)
-class FittedParameter:
-    """One parameter of the motion model."""
-
-    name: str
-    table: str
-    """Table of the station file that contains it."""
-    key: str
-    value: float
-    uncertainty: float
-    """Standard deviation."""
-    start: Annotated[float, Key("known")]
-    """Value before the fit."""
-    seen: bool
-    """Whether the logs determine it better than the known value does."""
-    contradicts: bool
-    """Whether the logs contradict the value measured on such an arm."""
-    value_s: OrAbsent[float]
-    """The value again, if it is a time."""
-    uncertainty_s: OrAbsent[float]
-
-
-@value_class(frozen=True, slots=True)
 class CalibrationReport(OutputRecord):
     """The object that `rapidsim calibrate --format json` prints."""
 
-    parameters: tuple[FittedParameter, ...]
+    parameters: tuple[Fitted, ...]
     logs: tuple[LogFit, ...]
 
 
 def as_json(calibration: Calibration) -> dict[str, object]:
     """One object."""
-    return json_of(
-        CalibrationReport(tuple(map(_parameter, calibration.parameters)), calibration.logs)
-    )
-
-
-def _parameter(fitted: Fitted) -> FittedParameter:
-    return FittedParameter(
-        name=fitted.name,
-        table=fitted.table,
-        key=fitted.key,
-        value=fitted.value,
-        uncertainty=fitted.uncertainty,
-        start=fitted.start,
-        seen=fitted.seen,
-        contradicts=fitted.contradicts,
-        value_s=fitted.value if fitted.in_seconds else None,
-        uncertainty_s=fitted.uncertainty if fitted.in_seconds else None,
-    )
+    return json_of(CalibrationReport(calibration.parameters, calibration.logs))
 
 
 def _remark(parameter: Fitted) -> str:

@@ -177,58 +177,58 @@ class RunFiles:
 
 @value_class(frozen=True, slots=True)
 class RunReport(OutputRecord):
-    """The object that `rapidsim run --format json` prints."""
+    """The object of `rapidsim run --format json`; by default that of a rejected program."""
 
     schema: ClassVar[int] = 3
     program: tuple[str, ...]
     """Files, as the user named them."""
     robot: Lenient[str]
     """The arm; of several robots, the first."""
-    robots: OrAbsent[tuple[StationedRobot, ...]]
+    robots: OrAbsent[tuple[StationedRobot, ...]] = None
     """Robots with their tasks and bases; absent if there is only one."""
-    ok: bool
+    ok: bool = False
     """Whether the run succeeded: the exit code is 0."""
-    qualifications: tuple[str, ...]
+    qualifications: tuple[str, ...] = ()
     """Reservations about the result."""
-    end: End
+    end: End = End.ERROR
     """Reason for the end of the run."""
-    time_s: Rounded
-    motion_s: Rounded
+    time_s: Rounded = 0.0
+    motion_s: Rounded = 0.0
     """Time during which a robot moves."""
-    wait_s: Rounded
+    wait_s: Rounded = 0.0
     """The remaining time."""
-    path_mm: Rounded
+    path_mm: Rounded = 0.0
     """Distance travelled by the TCP, corners cut."""
-    moves: tuple[MoveRecord, ...]
-    slowest: tuple[SlowMove, ...]
+    moves: tuple[MoveRecord, ...] = ()
+    slowest: tuple[SlowMove, ...] = ()
     """Lines whose moves took longest."""
-    min_joint_margin: LeastJointMargin | None
-    min_singularity: LeastSingularValue | None
-    max_off_path: GreatestOffPath | None
+    min_joint_margin: LeastJointMargin | None = None
+    min_singularity: LeastSingularValue | None = None
+    max_off_path: GreatestOffPath | None = None
     """Null if the arm stays on its path."""
-    diagnostics: Lenient[tuple[DiagnosticRecord, ...]]
-    waits: Lenient[tuple[WaitRecord, ...]]
-    slowest_waits: tuple[SlowWait, ...]
+    diagnostics: Lenient[tuple[DiagnosticRecord, ...]] = ()
+    waits: Lenient[tuple[WaitRecord, ...]] = ()
+    slowest_waits: tuple[SlowWait, ...] = ()
     """Lines that waited longest."""
-    stretches: tuple[SlowSectionRecord, ...]
+    stretches: tuple[SlowSectionRecord, ...] = ()
     """Sections in which the TCP stays below its programmed speed; the most expensive first, 200 at
     most."""
-    regions: tuple[RegionRecord, ...]
+    regions: tuple[RegionRecord, ...] = ()
     """Time of moves and waits after each comment of a routine, the longest first."""
-    events: tuple[EventRecord, ...]
-    errors: tuple[ErrorRecord, ...]
+    events: tuple[EventRecord, ...] = ()
+    errors: tuple[ErrorRecord, ...] = ()
     """Errors of the program and their outcomes, merged by place, ERROR clause and outcome."""
-    unsimulated: tuple[UnsimulatedRoutine, ...]
+    unsimulated: tuple[UnsimulatedRoutine, ...] = ()
     """Routines that were called and not simulated."""
-    skipped: tuple[SkippedRoutine, ...]
+    skipped: tuple[SkippedRoutine, ...] = ()
     """Routines that no module declares, whose calls were skipped."""
-    persistents: tuple[PersistentRecord, ...]
+    persistents: tuple[PersistentRecord, ...] = ()
     """Persistents whose final values differ from their declarations."""
-    assertions: tuple[AssertionVerdict, ...]
-    cycle_budget: BudgetVerdict | None
-    models: Lenient[RunModels]
-    files: RunFiles
-    cell: Annotated[RunCollisions | None, ValueForm.INLINE]
+    assertions: tuple[AssertionVerdict, ...] = ()
+    cycle_budget: BudgetVerdict | None = None
+    models: Lenient[RunModels] = RunModels()
+    files: RunFiles = RunFiles()
+    cell: Annotated[RunCollisions | None, ValueForm.INLINE] = None
 
 
 def run_json(
@@ -314,38 +314,8 @@ def rejected_report(
     program: Sequence[str], robot: str, findings: Sequence[Diagnostic]
 ) -> RunReport:
     """The record for a program that cannot run because of its errors."""
-    return RunReport(
-        program=tuple(program),
-        robot=robot,
-        robots=None,
-        ok=False,
-        qualifications=(),
-        end=End.ERROR,
-        time_s=0.0,
-        motion_s=0.0,
-        wait_s=0.0,
-        path_mm=0.0,
-        moves=(),
-        slowest=(),
-        min_joint_margin=None,
-        min_singularity=None,
-        max_off_path=None,
-        diagnostics=tuple(map(diagnostic_record, merged(findings))),
-        waits=(),
-        slowest_waits=(),
-        stretches=(),
-        regions=(),
-        events=(),
-        errors=(),
-        unsimulated=(),
-        skipped=(),
-        persistents=(),
-        assertions=(),
-        cycle_budget=None,
-        models=RunModels(),
-        files=RunFiles(),
-        cell=None,
-    )
+    diagnostics = tuple(map(diagnostic_record, merged(findings)))
+    return RunReport(program=tuple(program), robot=robot, diagnostics=diagnostics)
 
 
 def _robots(simulation: Simulation) -> tuple[StationedRobot, ...]:

@@ -23,18 +23,6 @@ _DIGITS = 12
 """Decimals of joints [deg], so that 30 is printed as 30."""
 
 
-@value_class(frozen=True, slots=True)
-class SearchCost:
-    """Cost of a search."""
-
-    starts: int
-    iterations: int
-    tolerance: float
-    """Residual distance [m] and angle [rad] at which it stops."""
-    seconds: float
-    """By the clock on the wall; nothing depends on it."""
-
-
 Matrix: TypeAlias = Sequence[Sequence[float]]
 
 
@@ -96,15 +84,16 @@ class JointSolution:
 
 
 @value_class(frozen=True, slots=True)
-class SearchRecord:
+class SearchCost:
     """Cost of a search."""
 
     starts: int
     iterations: int
     tolerance_mm: float
+    """Residual distance at which it stops."""
     tolerance_deg: float
     time_s: float
-    """Wall-clock time."""
+    """Wall-clock time, on which nothing depends."""
 
 
 @value_class(frozen=True, slots=True)
@@ -117,7 +106,7 @@ class InverseReport(OutputRecord):
     reachable: bool
     reason: Annotated[str | None, Key("why")]
     """Reason why the pose cannot be reached; null if it can."""
-    search: OrAbsent[SearchRecord]
+    search: OrAbsent[SearchCost]
     """Cost of a numerical solver."""
 
 
@@ -252,17 +241,7 @@ def inverse_report(
         ],
         reachable=solutions.reason is None,
         reason=solutions.reason,
-        search=None if searched is None else _search(searched),
-    )
-
-
-def _search(cost: SearchCost) -> SearchRecord:
-    return SearchRecord(
-        starts=cost.starts,
-        iterations=cost.iterations,
-        tolerance_mm=cost.tolerance * 1000.0,
-        tolerance_deg=degrees(cost.tolerance),
-        time_s=cost.seconds,
+        search=searched,
     )
 
 

@@ -20,12 +20,14 @@ import math
 from collections.abc import Callable, Sequence
 from dataclasses import replace
 from functools import partial
+from typing import Annotated
 
 import numpy as np
 
 from rapidsim.analysis.program import Program
 from rapidsim.files import InputError
 from rapidsim.frames.transform import Array
+from rapidsim.json_records.declarations import Key, OrAbsent
 from rapidsim.motion.model import MotionModel
 from rapidsim.motion.robot.robot import Robot
 from rapidsim.motion.timing.axis_limits import model_of, torques_of
@@ -78,13 +80,15 @@ class Fitted:
     value: float
     uncertainty: float
     """Standard deviation."""
-    start: float
+    start: Annotated[float, Key("known")]
     """Value before the fit."""
     seen: bool
     """Whether the logs determine it better than the prior does."""
     contradicts: bool
     """Whether the logs contradict the value measured on this arm."""
-    in_seconds: bool
+    value_s: OrAbsent[float]
+    """The value again, if it is a time."""
+    uncertainty_s: OrAbsent[float]
 
 
 @value_class(frozen=True, slots=True)
@@ -199,7 +203,8 @@ def calibrate(runs: Sequence[LoggedRun], robot: Robot, model: MotionModel) -> Ca
                 seen=s < _SEEN * parameter.spread,
                 contradicts=parameter.measured
                 and abs(value - parameter.start) > _CONTRADICTS * parameter.spread,
-                in_seconds=parameter.in_seconds,
+                value_s=value if parameter.in_seconds else None,
+                uncertainty_s=s if parameter.in_seconds else None,
             )
             for parameter, value, s in zip(parameters, values.tolist(), sigma.tolist(), strict=True)
         ),
