@@ -21,12 +21,12 @@ from typing import Any
 
 import numpy as np
 
+from rapidsim.applications.calibrate.log_comparison import MotionByPlace
 from rapidsim.files import SourceFile
 from rapidsim.frames.transform import Array
 from rapidsim.jobs.checking.checked_program import load
 from rapidsim.motion.model import MODELS, MotionModel
 from rapidsim.motion.robot.robot import load_robot
-from rapidsim.simulation.calibration.log_comparison import MotionByPlace
 from rapidsim.simulation.options import RunOptions
 from rapidsim.simulation.results.simulation import Simulation
 from rapidsim.simulation.simulate import simulate

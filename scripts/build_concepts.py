@@ -25,7 +25,7 @@ from PIL.PngImagePlugin import PngInfo
 
 import rapidsim
 from rapidsim.api.run import Run
-from rapidsim.cli.tools.kin_steps import solved_postures
+from rapidsim.applications.kin.kin_steps import solved_postures
 from rapidsim.frames.euler import Convention, rotation_from_euler
 from rapidsim.frames.transform import Array, Transform
 from rapidsim.language.moves import Place

@@ -10,16 +10,16 @@ from collections.abc import Iterator, Mapping
 from pathlib import Path
 from typing import Any
 
+from rapidsim.applications.calibrate.report import CalibrationReport
+from rapidsim.applications.diff.changes import ComparisonReport
+from rapidsim.applications.follow.follow_json import FollowComparison, FollowReport
+from rapidsim.applications.kin.kin_json import ForwardReport, InverseReport, JacobianReport
+from rapidsim.applications.protocol.protocol import Protocol
 from rapidsim.cli.commands.frames import FramesReport
 from rapidsim.cli.machine_output import ErrorReport, TextReport
-from rapidsim.comparison.changes import ComparisonReport
-from rapidsim.jobs.running.protocol import Protocol
 from rapidsim.json_records.schema import Schema, SchemaWriter
 from rapidsim.report.findings.check_report import CheckReport
-from rapidsim.report.run.calibration import CalibrationReport
 from rapidsim.report.run.json_report import RunReport
-from rapidsim.report.tables.follow_json import FollowComparison, FollowReport
-from rapidsim.report.tables.kin_json import ForwardReport, InverseReport, JacobianReport
 from rapidsim.report.tables.ranking_table import RankingReport
 from rapidsim.report.tables.robot_records import CatalogueReport, RobotPageRecord
 

@@ -7,8 +7,8 @@ from typing import Any
 
 from rapidsim.agents.paging import Answer, paged
 from rapidsim.agents.programs import SentProgram, sent_program
-from rapidsim.comparison.compare import compare
-from rapidsim.comparison.rendering import as_json
+from rapidsim.applications.diff.compare import compare
+from rapidsim.applications.diff.rendering import as_json
 from rapidsim.controller.journal.events import EventKind
 from rapidsim.diagnostics import Diagnostic
 from rapidsim.jobs.checking.check_files import check_job, check_tasks

@@ -138,6 +138,14 @@ def quaternion_from_matrix(rotation: Array) -> Array:
     return positive
 
 
+def unbroken(quaternions: Array) -> Array:
+    """Return orientations (k, 4) without sign changes: q and -q are one orientation."""
+    flips = np.sum(quaternions[1:] * quaternions[:-1], axis=1) < 0.0
+    signs = np.concatenate([[1.0], np.where(np.cumsum(flips) % 2 == 1, -1.0, 1.0)])
+    same: Array = quaternions * signs[:, None]
+    return same
+
+
 def slerp(start: Array, end: Array, fraction: Array) -> Array:
     """Interpolate from one orientation to another at constant rate, along the shortest rotation.
 

@@ -10,8 +10,8 @@ from matplotlib.figure import Figure
 from matplotlib.ticker import MaxNLocator
 from mpl_toolkits.mplot3d.axes3d import Axes3D
 
-from rapidsim.frames.transform import Array
-from rapidsim.motion.waypoints.attitudes import AttitudeRates, attitude_rates, unbroken
+from rapidsim.frames.transform import Array, unbroken
+from rapidsim.motion.waypoints.attitudes import AttitudeRates, attitude_rates
 from rapidsim.motion.waypoints.follow import FollowedTrajectory
 from rapidsim.plots.arm_picture import arm_at_both_ends
 from rapidsim.plots.stick_arm import MM, as_cube

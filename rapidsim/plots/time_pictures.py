@@ -6,10 +6,9 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from rapidsim.frames.transform import Array
+from rapidsim.frames.transform import Array, unbroken
 from rapidsim.motion.robot.external_axes import with_unit
 from rapidsim.motion.robot.robot import Robot
-from rapidsim.motion.waypoints.attitudes import unbroken
 from rapidsim.plots.sampled_run import MM, title_of
 from rapidsim.plots.theme import Theme, new_figure, time_axis
 from rapidsim.simulation.results.sampling import SampledRun

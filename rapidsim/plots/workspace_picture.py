@@ -13,7 +13,7 @@ from matplotlib.patches import Wedge
 
 from rapidsim.frames.transform import Array, Transform
 from rapidsim.language.moves import Interpolation
-from rapidsim.motion.waypoints.workspace import ArmWorkspace
+from rapidsim.motion.workspace import ArmWorkspace
 from rapidsim.plots.stick_arm import MM, draw_stick, stick
 from rapidsim.plots.theme import Theme, new_figure
 from rapidsim.plots.write import write_pictures

@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 from command_line import call
 
-from rapidsim.jobs.running.protocol import (
+from rapidsim.applications.protocol.protocol import (
     ANSWERS,
     MODULE,
     TOPICS,

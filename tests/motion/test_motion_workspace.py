@@ -7,7 +7,7 @@ from rapidsim.frames.transform import Transform, matrix_from_quaternion
 from rapidsim.motion.configurations.reachability import unreachable_reason
 from rapidsim.motion.robot.robot import load_robot
 from rapidsim.motion.waypoints.random_points import posture_points, reached_points
-from rapidsim.motion.waypoints.workspace import ArmWorkspace, workspace_of
+from rapidsim.motion.workspace import ArmWorkspace, workspace_of
 
 TOOL = Transform(np.eye(3), np.array([0.0, 0.0, 0.16]))
 

@@ -6,7 +6,7 @@ import click
 
 from rapidsim.cli.exit_codes import ExitCode
 from rapidsim.cli.options.declared import argument, option, options_of, shared
-from rapidsim.cli.options.outputs import new_plots
+from rapidsim.cli.options.new_files import new_plots
 from rapidsim.cli.options.poses import scale_option
 from rapidsim.cli.options.robot_choice import open_robot
 from rapidsim.cli.terminal import (
@@ -20,12 +20,12 @@ from rapidsim.files import InputError
 from rapidsim.json_records.encoding import json_of
 from rapidsim.motion.robot.catalogue import aliases_of, robot_names
 from rapidsim.motion.robot.robot import load_robot
-from rapidsim.motion.waypoints.workspace import workspace_of
+from rapidsim.motion.workspace import workspace_of
 from rapidsim.report.run.summary import OutputFile, files_text
-from rapidsim.report.tables.kin_json import axis_tables
-from rapidsim.report.tables.kin_tables import axis_tables_page
+from rapidsim.report.tables.axis_tables import axis_tables_page
 from rapidsim.report.tables.robot_records import (
     CatalogueReport,
+    axis_tables,
     robot_page_record,
     robot_record,
 )

@@ -1,4 +1,4 @@
-"""The files that `rapidsim run` writes: refused before a long run rather than after it."""
+"""The files that `rapidsim run` writes."""
 
 from __future__ import annotations
 
@@ -9,10 +9,11 @@ from pathlib import Path
 
 from rapidsim.cli.open_command import open_command
 from rapidsim.cli.options.declared import option, options_of
+from rapidsim.cli.options.new_files import new_file, new_plots, new_trace
 from rapidsim.cli.options.numbers import POSITIVE
 from rapidsim.cli.viewer import require_screen
 from rapidsim.extras import is_installed, require
-from rapidsim.files import InputError, SourceFile, did_you_mean
+from rapidsim.files import InputError, SourceFile
 from rapidsim.report.run.summary import OutputFile
 from rapidsim.simulation.results.simulation import Simulation
 from rapidsim.values import value_class
@@ -114,27 +115,6 @@ def new_outputs(options: OutputFileOptions, program: str) -> Outputs:
     )
 
 
-def new_trace(name: str) -> Path:
-    """The place of a trace.
-
-    Raises:
-        InputError: If nothing of that kind can be written there.
-    """
-    path = new_file(name, (".csv", ".parquet", ".json"))
-    if path.suffix.lower() == ".parquet":
-        require("pyarrow", f"{path}")
-    return path
-
-
-def new_profile(name: str) -> Path:
-    """The place of a profile of the interpreter.
-
-    Raises:
-        InputError: If nothing of that kind can be written there.
-    """
-    return new_file(name, (".prof",))
-
-
 def write(
     simulation: Simulation, outputs: Outputs
 ) -> tuple[tuple[OutputFile, ...], InputError | None]:
@@ -204,44 +184,3 @@ def write_values(simulation: Simulation, files: Iterable[SourceFile]) -> tuple[O
 
     written = write_persistents(simulation.persistents, files)
     return tuple(OutputFile(path, VALUES) for path in written)
-
-
-def new_file(name: str, suffixes: tuple[str, ...]) -> Path:
-    """The place of a file with one of some suffixes, refused if it cannot be written there."""
-    path = Path(name)
-    if path.suffix.lower() not in suffixes:
-        raise InputError(f"{path} must end in {' or '.join(suffixes)}")
-    if path.is_dir():
-        raise InputError(f"{path} cannot be written: it is a folder")
-    _require_writable(path, path.parent)
-    return path
-
-
-def new_recording(name: str) -> Path:
-    """The place of a recording, refused if it cannot be made or written there."""
-    require("rerun", "--record")
-    return new_file(name, (".rrd",))
-
-
-def new_plots(name: str) -> Path:
-    """The folder of pictures, refused if they cannot be drawn or written there."""
-    require("matplotlib", "--plots")
-    return _new_folder(name)
-
-
-def _new_folder(name: str) -> Path:
-    path = Path(name)
-    if path.exists() and not path.is_dir():
-        raise InputError(f"{path} is a file; pictures need a folder")
-    _require_writable(path, path if path.exists() else path.parent)
-    return path
-
-
-def _require_writable(path: Path, folder: Path) -> None:
-    if not folder.is_dir():
-        near = [one.name for one in folder.parent.iterdir()] if folder.parent.is_dir() else []
-        raise InputError(
-            f"{path} cannot be written: {folder} is not a folder", did_you_mean(folder.name, near)
-        )
-    if not os.access(folder, os.W_OK | os.X_OK):
-        raise InputError(f"{path} cannot be written: the folder {folder} may not be written to")

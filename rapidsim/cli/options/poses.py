@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from math import radians
 from typing import TYPE_CHECKING
 
 import click
@@ -97,44 +96,6 @@ def tool(values: tuple[float, ...] | None) -> Transform:
     """flange_from_tcp of `--tool`."""
     values = values or (0.0, 0.0, 0.0)
     return pose(values[:3], values[3:] or _STANDS["floor"], "--tool")
-
-
-def asked_pose(
-    position: tuple[float, ...],
-    quaternion: tuple[float, ...] | None,
-    euler: tuple[float, ...] | None,
-    convention: str,
-    pitch: float | None,
-    roll: float,
-) -> Transform:
-    """The pose of the TCP that the options of `kin ik` name, in the base or the world.
-
-    Raises:
-        InputError: If they name none, or several.
-    """
-    import numpy as np
-
-    from rapidsim.frames.euler import Convention, rotation_from_euler
-    from rapidsim.frames.transform import Transform
-    from rapidsim.motion.waypoints.points import posed
-
-    given = [name for name, value in (("--quaternion", quaternion), ("--euler", euler),
-                                      ("--pitch", pitch)) if value is not None]  # fmt: skip
-    if len(given) != 1:
-        named = " and ".join(given) or "none"
-        raise InputError(
-            f"give the orientation by one of --quaternion, --euler and --pitch, not by {named}"
-        )
-    place = np.array([value / 1000.0 for value in position])
-    if quaternion is not None:
-        return pose(position, quaternion, "--quaternion")
-    if euler is not None:
-        angles = np.radians(np.array(euler))
-        return Transform(rotation_from_euler(angles, Convention(convention)), place)
-    assert pitch is not None
-    about_tool = rotation_from_euler(np.array([radians(roll), 0.0, 0.0]), Convention.ZYX)
-    upright = posed(place[None], np.array([[radians(pitch)]]))[0]
-    return upright @ Transform(about_tool, np.zeros(3))
 
 
 def line_points(line: tuple[float, ...], count: int) -> Array:

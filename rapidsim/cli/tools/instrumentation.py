@@ -6,7 +6,7 @@ from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, TypeVar
 
-from rapidsim.cli.options.outputs import new_profile
+from rapidsim.cli.options.new_files import new_profile
 from rapidsim.cli.terminal import Terminal
 from rapidsim.cli.tools.run_output import stage
 from rapidsim.files import InputError

@@ -44,14 +44,6 @@ def attitude_rates(followed: FollowedTrajectory) -> AttitudeRates:
     return AttitudeRates(angle, rate, _between(linear[first], linear), blended)
 
 
-def unbroken(quaternions: Array) -> Array:
-    """Return orientations (k, 4) without sign changes: q and -q are one orientation."""
-    flips = np.sum(quaternions[1:] * quaternions[:-1], axis=1) < 0.0
-    signs = np.concatenate([[1.0], np.where(np.cumsum(flips) % 2 == 1, -1.0, 1.0)])
-    same: Array = quaternions * signs[:, None]
-    return same
-
-
 def _linear(followed: FollowedTrajectory) -> Array | None:
     """Return quaternions (k, 4) along the lines with their profiles, interpolated linearly."""
     attitudes = followed.attitudes

@@ -11,10 +11,10 @@ import numpy as np
 import rerun as rr
 import rerun.blueprint as rrb
 
-from rapidsim.frames.transform import Array, Transform
+from rapidsim.frames.transform import Array, Transform, unbroken
 from rapidsim.motion.robot.robot import Robot
 from rapidsim.motion.trajectory.trajectory import Samples
-from rapidsim.motion.waypoints.attitudes import attitude_rates, unbroken
+from rapidsim.motion.waypoints.attitudes import attitude_rates
 from rapidsim.motion.waypoints.follow import FollowedTrajectory
 from rapidsim.motion.waypoints.plan import Way
 from rapidsim.recording import palette

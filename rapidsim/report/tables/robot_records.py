@@ -2,13 +2,17 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from math import degrees
 from typing import Annotated, ClassVar
 
+import numpy as np
+
 from rapidsim.json_records.declarations import OutputRecord, ValueForm
+from rapidsim.motion.kinematics.axis_tables import dh_table_of, screws_of
 from rapidsim.motion.robot.robot import Joint, Robot
-from rapidsim.motion.waypoints.workspace import ArmWorkspace
-from rapidsim.report.tables.kin_json import AxisTables
+from rapidsim.motion.workspace import ArmWorkspace
+from rapidsim.report.tables.axis_tables import Matrix, matrix_in_mm, plain_numbers
 from rapidsim.values import value_class
 
 
@@ -51,6 +55,59 @@ class CatalogueReport(OutputRecord):
     """The object that `rapidsim robots --format json` prints."""
 
     robots: tuple[RobotRecord, ...]
+
+
+@value_class(frozen=True, slots=True)
+class DhRow:
+    """Denavit-Hartenberg parameters of a joint."""
+
+    theta_deg: float
+    d_mm: float
+    a_mm: float
+    alpha_deg: float
+    slides: bool
+
+
+@value_class(frozen=True, slots=True)
+class DhRecord:
+    """The Denavit-Hartenberg table of an arm."""
+
+    form: ClassVar[str] = "standard"
+    base: Matrix
+    """Frame before the first row as a 4x4 matrix [mm]."""
+    rows: Sequence[DhRow]
+    flange: Matrix
+    """Frame after the last row as a 4x4 matrix [mm]."""
+
+
+@value_class(frozen=True, slots=True)
+class ScrewAxis:
+    """Axis of a joint with all joints at zero."""
+
+    direction: Sequence[float]
+    moment_mm: Sequence[float]
+    point_mm: Sequence[float]
+    """A point on the axis."""
+
+
+@value_class(frozen=True, slots=True)
+class ScrewRecord:
+    """The axes of an arm with all joints at zero."""
+
+    frame: ClassVar[str] = "base"
+    axes: Sequence[ScrewAxis]
+    flange_at_zero: Matrix
+    """Pose of the flange as a 4x4 matrix [mm]."""
+
+
+@value_class(frozen=True, slots=True)
+class AxisTables:
+    """Tables of the axes of an arm."""
+
+    dh: DhRecord | None
+    """With --table: the Denavit-Hartenberg table; null if rods couple the joints."""
+    screws: ScrewRecord | None
+    """With --table: the axes of the joints; null if rods couple the joints."""
 
 
 @value_class(frozen=True, slots=True)
@@ -112,6 +169,30 @@ def robot_record(robot: Robot, aliases: tuple[str, ...]) -> RobotRecord:
         checks=tuple(robot.checks),
         notes=tuple(robot.notes),
         not_modelled=tuple(robot.not_modelled),
+    )
+
+
+def axis_tables(robot: Robot) -> AxisTables:
+    """The DH table and the screws of an arm; null where rods couple its joints."""
+    dh, screws = dh_table_of(robot.kinematics), screws_of(robot.kinematics)
+    if dh is None or screws is None:
+        return AxisTables(None, None)
+    parameters = np.column_stack([dh.theta, dh.d, dh.a, dh.alpha]).tolist()
+    rows = [
+        DhRow(degrees(theta), 1000.0 * d, 1000.0 * a, degrees(alpha), slides)
+        for (theta, d, a, alpha), slides in zip(parameters, dh.slides.tolist(), strict=True)
+    ]
+    lines = (
+        plain_numbers(screws.turns),
+        plain_numbers(screws.moments_mm),
+        plain_numbers(1000.0 * screws.points),
+    )
+    axes = [ScrewAxis(*line) for line in zip(*lines, strict=True)]
+    return AxisTables(
+        DhRecord(
+            plain_numbers(matrix_in_mm(dh.base)), rows, plain_numbers(matrix_in_mm(dh.flange))
+        ),
+        ScrewRecord(axes, plain_numbers(matrix_in_mm(screws.base_from_flange))),
     )
 
 

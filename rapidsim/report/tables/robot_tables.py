@@ -13,7 +13,7 @@ from rich.text import Text
 
 from rapidsim.motion.robot.external_axes import with_unit
 from rapidsim.motion.robot.robot import Joint, Robot
-from rapidsim.motion.waypoints.workspace import ArmWorkspace
+from rapidsim.motion.workspace import ArmWorkspace
 from rapidsim.report.untruncated_table import UntruncatedTable
 
 _UNKNOWN = "?"

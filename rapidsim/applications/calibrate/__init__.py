@@ -1,0 +1,1 @@
+"""`rapidsim calibrate`: fit of the motion model to logs of a real controller."""

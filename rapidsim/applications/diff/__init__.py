@@ -1,0 +1,1 @@
+"""`rapidsim diff`: comparison of two programs, and of their runs."""

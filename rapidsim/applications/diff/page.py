@@ -1,0 +1,103 @@
+"""A comparison as one HTML file: the changes, with both paths overlaid."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+from html import escape
+
+from rapidsim.applications.diff.changes import Comparison, TimeChange
+from rapidsim.applications.diff.rendering import ReportBlock, blocks, time_cells
+
+_SIDE = 460
+_MARGIN = 24
+_VIEWS = (("from above", 0, 1), ("from the side", 0, 2))
+_STYLE = """
+:root { --page: #f4f5f7; --panel: #fff; --ink: #1b2330; --soft: #5c6675; --old: #8a93a1;
+  --new: #d97800; --rule: #dde1e7 }
+@media (prefers-color-scheme: dark) { :root { --page: #13161b; --panel: #1b1f26; --ink: #e6e9ee;
+  --soft: #98a2b1; --old: #7d8796; --new: #ffa12e; --rule: #2e3540 } }
+body { margin: 0 auto; max-width: 1000px; padding: 16px; background: var(--page);
+  color: var(--ink); font: 15px/1.5 system-ui, sans-serif }
+h1 { font-size: 20px; overflow-wrap: anywhere } h2 { font-size: 16px }
+section { background: var(--panel); border: 1px solid var(--rule); border-radius: 10px;
+  padding: 4px 16px 12px; margin-bottom: 14px }
+code { background: var(--page); border-radius: 4px; padding: 1px 4px; font-size: 13px }
+li, td:first-child { overflow-wrap: anywhere } ul { padding-left: 20px }
+table { border-collapse: collapse } td, th { padding: 2px 0 2px 16px; text-align: right;
+  font-variant-numeric: tabular-nums } td:not(:first-child) { white-space: nowrap }
+th { color: var(--soft); font-weight: normal } td:first-child { padding-left: 0; text-align: left }
+.views { display: flex; flex-wrap: wrap; gap: 16px }
+figure { margin: 0; flex: 1 1 300px } svg { width: 100%; height: auto } figcaption, .key {
+  color: var(--soft); font-size: 13px }
+polyline { fill: none; stroke-width: 1.6; vector-effect: non-scaling-stroke }
+/* Wide, so that it is seen where both go the same way. */
+.old { stroke: var(--old); color: var(--old) } polyline.old { stroke-width: 5; opacity: 0.55 }
+.new { stroke: var(--new); color: var(--new) }
+"""
+
+
+def comparison_page(comparison: Comparison) -> str:
+    """Return the page as text; it works offline."""
+    old, new = map(escape, comparison.names)
+    parts = map(_section, blocks(comparison))
+    return (
+        '<!doctype html><html lang="en"><head><meta charset="utf-8">'
+        '<meta name="viewport" content="width=device-width, initial-scale=1">'
+        f"<title>{old} and {new}</title><style>{_STYLE}</style></head><body>"
+        f"<h1>{old} &rarr; {new}</h1>{''.join(parts)}{_paths(comparison)}</body></html>\n"
+    )
+
+
+def _section(block: ReportBlock) -> str:
+    if not block.lines and not block.times:
+        return f"<section><p>{escape(block.title)}</p></section>"
+    items = "".join(f"<li>{_marked(line)}</li>" for line in block.lines)
+    return (
+        f"<section><h2>{block.title}</h2>{_table(block.times)}"
+        f"{f'<ul>{items}</ul>' if items else ''}</section>"
+    )
+
+
+def _marked(line: str) -> str:
+    """Return a line as HTML, with code between backticks."""
+    return re.sub(r"`([^`]*)`", r"<code>\1</code>", escape(line))
+
+
+def _table(times: Sequence[TimeChange]) -> str:
+    if not times:
+        return ""
+    rows = "".join(
+        f"<tr>{''.join(f'<td>{escape(cell)}</td>' for cell in time_cells(one))}</tr>"
+        for one in times
+    )
+    head = "<tr><th></th><th>before</th><th>after</th><th>change</th></tr>"
+    return f"<table>{head}{rows}</table>"
+
+
+def _paths(comparison: Comparison) -> str:
+    """Return two views of the TCP paths, to one scale."""
+    points = [point for path in comparison.paths for point in path]
+    if not points:
+        return ""
+    low = [min(point[axis] for point in points) for axis in range(3)]
+    size = max(max(point[axis] for point in points) - low[axis] for axis in range(3)) or 1.0
+    scale = (_SIDE - 2 * _MARGIN) / size
+    figures = []
+    for title, across, up in _VIEWS:
+        lines = []
+        for name, path in zip(("old", "new"), comparison.paths, strict=True):
+            places = " ".join(
+                f"{_MARGIN + scale * (point[across] - low[across]):.1f},"
+                f"{_SIDE - _MARGIN - scale * (point[up] - low[up]):.1f}"
+                for point in path
+            )
+            lines.append(f'<polyline class="{name}" points="{places}"/>')
+        axes = f"{'xyz'[across]} to the right, {'xyz'[up]} up"
+        figures.append(
+            f'<figure><svg viewBox="0 0 {_SIDE} {_SIDE}" role="img">{"".join(lines)}</svg>'
+            f"<figcaption>{title}: {axes}</figcaption></figure>"
+        )
+    key = '<p class="key"><b class="old">before</b>, <b class="new">after</b></p>'
+    views = f'<div class="views">{"".join(figures)}</div>'
+    return f"<section><h2>Path of the TCP</h2>{views}{key}</section>"

@@ -1,0 +1,1 @@
+"""`rapidsim follow` and `rapidsim points`: motion along the points of a table."""

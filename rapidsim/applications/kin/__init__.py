@@ -1,0 +1,1 @@
+"""`rapidsim kin`: forward and inverse kinematics and the Jacobian of one pose."""

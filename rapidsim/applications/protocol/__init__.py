@@ -1,0 +1,1 @@
+"""`rapidsim protocol`: questions for a controller, and its answers beside ours."""

@@ -1,1 +1,0 @@
-"""Comparison of two programs, and of their runs."""

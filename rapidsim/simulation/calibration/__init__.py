@@ -1,1 +1,0 @@
-"""Fit of the motion model to logs of a real controller."""
