@@ -77,9 +77,9 @@ class RecordField:
     """The type with its marks."""
     is_constant: bool
     is_inline: bool
-    is_optional: bool
-    """Whether its key may be missing."""
     is_lenient: bool
+    is_optional: bool
+    """Whether it is omitted where it is the default."""
     default: object
     """`MISSING` if there is none."""
 
@@ -95,16 +95,19 @@ def record_fields(record: Any) -> tuple[RecordField, ...]:
         if not is_constant and name not in declared:
             continue
         marks = getattr(type_, "__metadata__", ())
+        is_inline = ValueForm.INLINE in marks
+        is_optional = is_inline or ValueForm.OPTIONAL in marks
+        default = MISSING if is_constant or is_inline else declared[name].default
         found.append(
             RecordField(
                 name=name,
                 key=next((one.name for one in marks if isinstance(one, Key)), name),
                 type=get_args(type_)[0] if is_constant else type_,
                 is_constant=is_constant,
-                is_inline=ValueForm.INLINE in marks,
-                is_optional=ValueForm.OPTIONAL in marks,
+                is_inline=is_inline,
                 is_lenient=ValueForm.LENIENT in marks,
-                default=MISSING if is_constant else declared[name].default,
+                is_optional=is_optional,
+                default=None if is_optional and default is MISSING else default,
             )
         )
     return tuple(found)

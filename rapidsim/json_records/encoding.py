@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Mapping
-from dataclasses import MISSING
 from enum import Enum
 from operator import attrgetter
 from types import MappingProxyType
 from typing import Any, TypeAlias
 
 from rapidsim.json_records.declarations import (
+    RecordField,
     ValueForm,
     alternatives,
     is_record,
@@ -19,7 +19,6 @@ from rapidsim.json_records.declarations import (
     record_fields,
     value_type,
 )
-from rapidsim.values import value_class
 
 DECIMALS = 8
 """Decimals of s, mm and degrees in JSON: more than needed, fewer than machines agree on."""
@@ -43,39 +42,28 @@ class RecordEncoder:
     def __init__(self, custom: Mapping[type, Conversion] = MappingProxyType({})) -> None:
         """Take the conversions of classes that are not converted field by field."""
         self._custom = custom
-        self._fields: dict[type, tuple[_Field, ...]] = {}
+        self._fields: dict[type, tuple[tuple[RecordField, Conversion | None], ...]] = {}
 
     def __call__(self, record: object) -> dict[str, Any]:
         """Convert a record."""
         kind = type(record)
         fields = self._fields.get(kind) or self._derive(kind)
         values: dict[str, Any] = {}
-        for field in fields:
+        for field, convert in fields:
             value = getattr(record, field.name)
-            if field.is_optional and value == field.omitted:
+            if field.is_optional and value == field.default:
                 continue
-            if value is None:
-                values[field.key] = None
-                continue
-            if field.conversion is not None:
-                value = field.conversion(value)
+            if value is not None and convert is not None:
+                value = convert(value)
             if field.is_inline:
                 values.update(value)
             else:
                 values[field.key] = value
         return values
 
-    def _derive(self, kind: type) -> tuple[_Field, ...]:
+    def _derive(self, kind: type) -> tuple[tuple[RecordField, Conversion | None], ...]:
         fields = self._fields[kind] = tuple(
-            _Field(
-                one.name,
-                one.key,
-                self._conversion(one.type),
-                one.is_inline,
-                one.is_optional or one.is_inline,
-                None if one.is_inline or one.default is MISSING else one.default,
-            )
-            for one in record_fields(kind)
+            (field, self._conversion(field.type)) for field in record_fields(kind)
         )
         return fields
 
@@ -116,19 +104,6 @@ def _object(convert: Conversion | None) -> Conversion:
 
 def _or_none(convert: Conversion) -> Conversion:
     return lambda value: None if value is None else convert(value)
-
-
-@value_class(frozen=True, slots=True)
-class _Field:
-    """A field and its conversion."""
-
-    name: str
-    key: str
-    conversion: Conversion | None
-    is_inline: bool
-    is_optional: bool
-    omitted: object
-    """The value whose key is omitted, if it is optional."""
 
 
 json_of = RecordEncoder()

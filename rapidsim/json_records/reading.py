@@ -56,8 +56,8 @@ class RecordReader:
                 values[field.name] = convert(found, path)
             elif field.key in found:
                 values[field.name] = convert(found[field.key], (path, field.key))
-            elif field.is_optional or field.default is not MISSING:
-                values[field.name] = None if field.default is MISSING else field.default
+            elif field.default is not MISSING:
+                values[field.name] = field.default
             else:
                 raise WrongValueError((path, field.key), "is missing")
         return record(**values)
