@@ -57,6 +57,13 @@ RETURNED = (
 )
 """What these give: classes that nobody imports by name."""
 LONGEST_LINE = 90
+WRITTEN = {
+    r"\bPath(Like)?_": "str | PathLike[str]",
+    r"\bRounded\b": "float",
+    r"^Annotated\[(\w+), .*\]$": r"\1",
+    r"^OrAbsent\[(.*)\]$": r"\1 | None",
+}
+"""Types for readers by pattern: marks of JSON records (`rapidsim/json_records/`) are omitted."""
 SECTION = re.compile(r"^(Args|Returns|Raises|Yields):$", re.MULTILINE)
 
 
@@ -108,8 +115,10 @@ def _parameter(one: inspect.Parameter) -> str:
 
 
 def _type(annotation: object) -> str:
-    text = getattr(annotation, "__forward_arg__", annotation)
-    return re.sub(r"\bPath(Like)?_", "str | PathLike[str]", str(text))
+    text = str(getattr(annotation, "__forward_arg__", annotation))
+    for pattern, replacement in WRITTEN.items():
+        text = re.sub(pattern, replacement, text)
+    return text
 
 
 def _attributes(owner: type) -> Iterator[str]:

@@ -26,12 +26,14 @@ from rapidsim.files import decode
 from rapidsim.interpreter.limits import NotExecutableError
 from rapidsim.interpreter.linking.loader import FatalError, load
 from rapidsim.jobs.checking.fixes import choose_fixes
+from rapidsim.json_records.encoding import json_of
 from rapidsim.language.controller import Controller
+from rapidsim.report.findings.diagnostic_records import diagnostic_record
 from rapidsim.report.findings.github import github
 from rapidsim.report.findings.junit import junit
 from rapidsim.report.findings.merging import merged
 from rapidsim.report.findings.sarif import sarif
-from rapidsim.report.findings.text import diagnostic_json, full
+from rapidsim.report.findings.text import full
 from rapidsim.report.pages.rules import programs
 from rapidsim.report.palette import PLAIN
 from rapidsim.syntax.lexer import lex
@@ -107,7 +109,10 @@ def _try(text: str) -> bool:
     full(findings, PLAIN, width=80)
     github(findings)
     junit(findings, ["fuzz.mod"])
-    json.dumps((sarif(findings, "0"), [diagnostic_json(one) for one in findings]), allow_nan=False)
+    json.dumps(
+        (sarif(findings, "0"), [json_of(diagnostic_record(one)) for one in findings]),
+        allow_nan=False,
+    )
     fixed = edited_text(text, choose_fixes(found, unsafe=True).edits.get("fuzz.mod", ()))
     assert fixed != text or not any(one.fix for one in found), "a fix changes nothing"
     if checked.program is None or any(d.severity is Severity.ERROR for d in parsed.diagnostics):

@@ -31,7 +31,7 @@ from rapidsim.interpreter.runtime.memory import module_data
 from rapidsim.report.html.write import write_report
 from rapidsim.report.run.error_records import ErrorRecord, error_records
 from rapidsim.report.run.figures import figures
-from rapidsim.report.run.json_report import run_json
+from rapidsim.report.run.json_report import RunFiles, run_json
 from rapidsim.report.run.records import MoveRecord, WaitRecord, move_records, wait_records
 from rapidsim.simulation.result_builder import FinishedRun
 from rapidsim.simulation.results.simulation import End, Simulation
@@ -158,7 +158,7 @@ class Run:
     def as_json(self) -> dict[str, Any]:
         """The object that `rapidsim run --format json` prints."""
         run = self.simulation
-        return run_json(run, figures(run), run.diagnostics, {})
+        return run_json(run, figures(run), run.diagnostics, RunFiles())
 
     def record(self, path: Path_, *, dt: float | None = None) -> Path:
         """Write a recording for the rerun viewer; needs the extra `view`.

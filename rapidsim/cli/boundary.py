@@ -20,8 +20,9 @@ from rapidsim.cli.exit_codes import ExitCode
 from rapidsim.cli.group import commands
 from rapidsim.cli.interrupted import Terminated, TimeOverError
 from rapidsim.cli.machine_output import (
-    SCHEMA,
-    error_record,
+    CommandError,
+    ErrorReport,
+    TextReport,
     is_json_requested,
     output_to_stderr,
     print_object,
@@ -29,6 +30,7 @@ from rapidsim.cli.machine_output import (
 from rapidsim.cli.successors import send_exit_code
 from rapidsim.cli.terminal import PLAIN_CHARACTERS, Terminal, echo
 from rapidsim.files import InputError, did_you_mean
+from rapidsim.json_records.encoding import json_of
 from rapidsim.syntax.garbage_collection import gc_rarely
 from rapidsim.values import value_class
 
@@ -111,9 +113,11 @@ def _printing_an_object(arguments: Sequence[str], terminal: Terminal) -> int:
             ended = _Failure(ExitCode.TERMINATED, _broken_off("terminated", broken_off))
     report = terminal.report
     if isinstance(ended, _Failure):
-        error = error_record(_shortened(ended.message), ended.help, ended.similar)
-        report = {**(report or {"schema": SCHEMA}), "error": error}
-    print_object(report or {"schema": SCHEMA, "text": aside.getvalue()})
+        error = CommandError(_shortened(ended.message), ended.help or "", ended.similar)
+        report = (
+            json_of(ErrorReport(error)) if report is None else {**report, "error": json_of(error)}
+        )
+    print_object(report or json_of(TextReport(aside.getvalue())))
     sys.stdout.flush()
     return ended.code if isinstance(ended, _Failure) else ended
 

@@ -10,8 +10,9 @@ from contextlib import contextmanager, redirect_stdout
 from itertools import zip_longest
 
 from rapidsim.cli.terminal import echo
+from rapidsim.json_records.declarations import OutputRecord
+from rapidsim.values import value_class
 
-SCHEMA = 1
 _OPTIONS = ("--format", "--output-format")
 _FORMAT = "json"
 
@@ -28,9 +29,31 @@ def is_json_requested(arguments: Sequence[str]) -> bool:
     return wants
 
 
-def error_record(message: str, help: str | None, similar: Sequence[str]) -> dict[str, object]:
-    """An error of use, or what broke a command off, as JSON values."""
-    return {"message": message, "help": help or "", "similar": list(similar)}
+@value_class(frozen=True, slots=True)
+class CommandError:
+    """An error of use, or the reason why a command was broken off."""
+
+    message: str
+    help: str
+    """A remedy; empty if none is known."""
+    similar: tuple[str, ...]
+    """Known names near an unknown one."""
+
+
+@value_class(frozen=True, slots=True)
+class ErrorReport(OutputRecord):
+    """The object of a command that cannot do its work."""
+
+    error: CommandError
+    """Reason of the failure; next to other keys, a failure after these were known."""
+
+
+@value_class(frozen=True, slots=True)
+class TextReport(OutputRecord):
+    """The object of a command that prints a text."""
+
+    text: str
+    """With --help or --version: their text."""
 
 
 def print_object(value: dict[str, object]) -> None:

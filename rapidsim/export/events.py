@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 from pathlib import Path
 
+from rapidsim.json_records.encoding import json_of
 from rapidsim.output_files import whole_file
 from rapidsim.simulation.results.event_values import event_record
 from rapidsim.simulation.results.simulation import Simulation
@@ -25,5 +26,6 @@ def write_events(simulation: Simulation, path: str | Path) -> Path:
         temporary.open("w", encoding="utf-8", newline="") as file,
     ):
         for event in simulation.events:
-            file.write(json.dumps(event_record(event), ensure_ascii=False, allow_nan=False) + "\n")
+            record = json_of(event_record(event))
+            file.write(json.dumps(record, ensure_ascii=False, allow_nan=False) + "\n")
     return path

@@ -309,7 +309,7 @@ class Engine:
                 return answered(self.context, message)
             case SessionEnded(session):
                 self.context.release_all(session)
-            case Subscribe(group, resources):
+            case Subscribe(resources, group):
                 self.subscriptions.begin(group, resources)
             case Unsubscribe(group):
                 self.subscriptions.end(group)

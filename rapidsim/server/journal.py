@@ -7,19 +7,22 @@ reproduce the same lines, byte for byte. No line contains a wall-clock time, a p
 from __future__ import annotations
 
 import json
-import math
 from base64 import b64decode, b64encode
 from collections.abc import Callable, Iterable, Mapping
 from contextlib import suppress
-from dataclasses import asdict, fields
 from pathlib import Path
-from typing import Any, Final
+from types import MappingProxyType
+from typing import Annotated, ClassVar, Final
 
 from rapidsim.controller.journal.events import Event
 from rapidsim.files import InputError
+from rapidsim.json_records.declarations import Key
+from rapidsim.json_records.encoding import RecordEncoder, json_of, written
+from rapidsim.json_records.reading import RecordReader
 from rapidsim.language.errors import RapidError
 from rapidsim.motion.guidance.sensor import SensorAnswer
 from rapidsim.server.messages import (
+    NETWORK,
     ErrorAnswer,
     FromNetwork,
     Message,
@@ -31,11 +34,9 @@ from rapidsim.server.messages import (
 )
 from rapidsim.simulation.live.event_log import LogEntry
 from rapidsim.simulation.live.states import Motors, OperatingMode
-from rapidsim.simulation.results.event_values import event_record, written
+from rapidsim.simulation.results.event_values import event_record
 from rapidsim.values import value_class
 
-NETWORK: Final = "network"
-"""Kind of an event caused by a peer of a program's socket."""
 SENSOR: Final = "egm"
 """Kind of a line with a sensor's answer."""
 REFUSED: Final = "network-refused"
@@ -48,8 +49,21 @@ _MOST_LINE: Final = 128 * 2**20
 class PowerOnState:
     """The state of a controller when it was switched on."""
 
+    kind: ClassVar[str] = "on"
     motors: Motors
-    mode: OperatingMode
+    mode: Annotated[OperatingMode, Key("opmode")]
+
+
+@value_class(frozen=True, slots=True)
+class _Refusal:
+    """A refusal of the network."""
+
+    kind: ClassVar[str] = REFUSED
+    act: int
+    """Number of the operation."""
+    number: float
+    """ERRNO."""
+    message: str
 
 
 @value_class(frozen=True, slots=True)
@@ -78,7 +92,7 @@ class RecordedSession:
 
 def switched_on_line(motors: Motors, mode: OperatingMode) -> str:
     """Return the first line."""
-    return _line(0.0, "event", {"kind": "on", "motors": motors.value, "opmode": mode.value})
+    return _line(0.0, "event", _encode(PowerOnState(motors, mode)))
 
 
 def switched_off_line(time_s: float) -> str:
@@ -88,7 +102,7 @@ def switched_off_line(time_s: float) -> str:
 
 def event_line(event: Event) -> str:
     """Return the line of an event of the run."""
-    record = event_record(event)
+    record = json_of(event_record(event))
     del record["time_s"]
     return _line(written(event.time_s), "event", record)
 
@@ -108,23 +122,19 @@ def log_line(entry: LogEntry) -> str:
 
 def refusal_line(time_s: float, act: int, error: RapidError) -> str:
     """Return the line of a refusal of the network, with the number of the operation."""
-    what = {"kind": REFUSED, "act": act, "number": error.errno, "message": error.message}
-    return _line(time_s, "event", what)
+    return _line(time_s, "event", _encode(_Refusal(act, error.errno, error.message)))
 
 
 def sensor_line(time_s: float, number: int, answer: SensorAnswer) -> str:
     """Return the line of the answer of a sensor, with the number of the exchange."""
-    said = {name: list(part) for name, part in asdict(answer).items() if part}
-    return _line(written(time_s), SENSOR, {"kind": "answer", "exchange": number, **said})
+    return _line(written(time_s), SENSOR, {"kind": "answer", "exchange": number, **_encode(answer)})
 
 
 def request_line(time_s: float, message: Message, reply: Reply) -> str:
     """Return the line of an input from outside, with the status of its reply."""
     if isinstance(message, FromNetwork):
-        return _line(time_s, "event", _message_record(message))
-    return _line(
-        time_s, "request", {**_message_record(message), "status": reply.status, **_code(reply)}
-    )
+        return _line(time_s, "event", _encode(message))
+    return _line(time_s, "request", {**_encode(message), "status": reply.status, **_code(reply)})
 
 
 def read_journal(lines: Iterable[str], name: str) -> RecordedSession:
@@ -158,11 +168,12 @@ def read_journal(lines: Iterable[str], name: str) -> RecordedSession:
             if is_asked:
                 recorded.append(RecordedInput(time_s, _message(what)))
             elif kind == SENSOR:
-                answers[int(what["exchange"])] = _answer(what)
+                answers[int(what["exchange"])] = _read(SensorAnswer, what)
             elif what["kind"] == REFUSED:
-                refusals[int(what["act"])] = (float(what["number"]), str(what["message"]))
+                refusal = _read(_Refusal, what)
+                refusals[refusal.act] = (refusal.number, refusal.message)
             elif what["kind"] == "on" and began is None:
-                began = PowerOnState(Motors(what["motors"]), OperatingMode(what["opmode"]))
+                began = _read(PowerOnState, what)
         except (ValueError, KeyError, TypeError, AttributeError, RecursionError):
             raise InputError(f"{name}, line {number}: this is no line of a journal") from None
         if is_asked or what["kind"] == "off":
@@ -216,82 +227,24 @@ def _code(reply: Reply) -> dict[str, object]:
     return {"code": reply.code} if isinstance(reply, ErrorAnswer) else {}
 
 
-def _message_record(message: Message) -> dict[str, object]:
-    match message:
-        case Request():
-            what: dict[str, object] = {
-                "method": message.method,
-                "path": message.path,
-                "query": dict(message.query),
-                "form": dict(message.form),
-                "session": message.session,
-            }
-            if message.generation != 1:
-                what["generation"] = message.generation
-            if message.content:
-                what["content"] = b64encode(message.content).decode()
-            return what
-        case SessionEnded(session):
-            return {"end_of_session": session}
-        case Subscribe(group, resources):
-            return {"subscribe": list(resources), "group": group}
-        case Unsubscribe(group):
-            return {"unsubscribe": group}
-        case FromNetwork(number, port, peer, data, is_over):
-            return {
-                "kind": NETWORK,
-                "connection": number,
-                "port": port,
-                "peer": peer,
-                "data": b64encode(data).decode(),
-                "over": is_over,
-            }
+_KINDS: Mapping[str, type[Message]] = MappingProxyType(
+    {
+        "connection": FromNetwork,
+        "end_of_session": SessionEnded,
+        "subscribe": Subscribe,
+        "unsubscribe": Unsubscribe,
+        "method": Request,
+    }
+)
+"""Messages by a key that only they have."""
+_encode = RecordEncoder({bytes: lambda content: b64encode(content).decode()})
+_read = RecordReader({bytes: lambda text: b64decode(str(text), validate=True)})
 
 
 def _message(record: Mapping[str, object]) -> Message:
-    """Invert `_message_record`; errors of the conversions are raised unchanged."""
-    match record:
-        case {
-            "connection": int(number),
-            "port": int(port),
-            "peer": str(peer),
-            "data": str(data),
-            "over": bool(is_over),
-        }:
-            return FromNetwork(number, port, peer, b64decode(data, validate=True), is_over)
-        case {"end_of_session": int(session)}:
-            return SessionEnded(session)
-        case {"subscribe": [*resources], "group": int(group)}:
-            return Subscribe(group, tuple(map(str, resources)))
-        case {"unsubscribe": int(group)}:
-            return Unsubscribe(group)
-        case {
-            "method": str(method),
-            "path": str(path),
-            "query": {**query},
-            "form": {**form},
-            "session": int(session),
-        }:
-            content = b64decode(str(record.get("content", "")), validate=True)
-            generation = int(str(record.get("generation", 1)))
-            if generation not in (1, 2):
-                raise ValueError("no generation")
-            return Request(method, path, _texts(query), _texts(form), session, content, generation)
-        case _:
-            raise ValueError("no message")
-
-
-def _answer(record: Mapping[str, Any]) -> SensorAnswer:
-    """Invert `sensor_line`; errors of the conversions are raised unchanged."""
-    parts = {
-        one.name: tuple(map(float, record[one.name]))
-        for one in fields(SensorAnswer)
-        if one.name in record
-    }
-    if not all(math.isfinite(value) for part in parts.values() for value in part):
-        raise ValueError("not finite")
-    return SensorAnswer(**parts)
-
-
-def _texts(fields: Mapping[object, object]) -> dict[str, str]:
-    return {str(key): str(value) for key, value in fields.items()}
+    """Read a message; errors of the conversions are raised unchanged."""
+    kind = next((kind for key, kind in _KINDS.items() if key in record), Request)
+    message = _read(kind, record)
+    if isinstance(message, Request) and message.generation not in (1, 2):
+        raise ValueError("no generation")
+    return message

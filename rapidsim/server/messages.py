@@ -1,6 +1,7 @@
 """Messages between the process of the protocols and the process of the controller.
 
-All can be pickled, and are independent of HTTP headers and representations.
+Those that affect the controller are records of its journal. All can be pickled, and are independent
+of HTTP headers and representations.
 """
 
 from __future__ import annotations
@@ -8,10 +9,13 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import field
 from types import MappingProxyType
-from typing import Final, TypeAlias
+from typing import Annotated, ClassVar, Final, TypeAlias
 
+from rapidsim.json_records.declarations import Key, ValueForm
 from rapidsim.values import value_class
 
+NETWORK: Final = "network"
+"""Kind of an event caused by a peer of a program's socket."""
 Fields: TypeAlias = Mapping[str, str]
 NOTHING: Fields = MappingProxyType({})
 
@@ -80,10 +84,10 @@ class Request:
     query: Fields = field(default_factory=dict)
     form: Fields = field(default_factory=dict)
     session: int = 0
-    content: bytes = b""
-    """Body that is not a form."""
-    generation: int = 1
+    generation: Annotated[int, ValueForm.OPTIONAL] = 1
     """Generation of Robot Web Services: 1 or 2."""
+    content: Annotated[bytes, ValueForm.OPTIONAL] = b""
+    """Body that is not a form."""
 
     @property
     def action(self) -> str:
@@ -95,22 +99,22 @@ class Request:
 class SessionEnded:
     """End of a session: the resources it holds are released."""
 
-    session: int
+    session: Annotated[int, Key("end_of_session")]
 
 
 @value_class(frozen=True, slots=True)
 class Subscribe:
     """Subscribe a group to changes of resources, from now on."""
 
+    resources: Annotated[tuple[str, ...], Key("subscribe")]
     group: int
-    resources: tuple[str, ...]
 
 
 @value_class(frozen=True, slots=True)
 class Unsubscribe:
     """End the subscriptions of a group."""
 
-    group: int
+    group: Annotated[int, Key("unsubscribe")]
 
 
 DATAGRAM: Final = 0
@@ -121,14 +125,15 @@ DATAGRAM: Final = 0
 class FromNetwork:
     """Input from the peer of a program's socket."""
 
-    number: int
+    kind: ClassVar[str] = NETWORK
+    number: Annotated[int, Key("connection")]
     """Number of the connection, see `outside_streams`; `DATAGRAM` for a datagram from `peer`."""
     port: int = 0
     """Port of the program to which a client has connected, or at which the datagram has arrived."""
     peer: str = ""
     """Peer that has connected or answered; empty if the connection existed before."""
     data: bytes = b""
-    is_over: bool = False
+    is_over: Annotated[bool, Key("over")] = False
 
 
 @value_class(frozen=True, slots=True)

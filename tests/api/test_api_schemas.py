@@ -17,6 +17,7 @@ HERE = Path(__file__).parent / "programs"
 ROBOT = ("--robot", "irb120")
 TURN = ("--quaternion", "0.7071068,0,0.7071068,0")
 BROKEN = "MODULE m\nPROC main()\nn:=1;\nFOO x;\nIF n=1 THEN\nENDPROC\nENDMODULE\n"
+FIXABLE = "MODULE fixable\nPROC main()\nVAR num n;\nn=1;\nENDPROC\nENDMODULE\n"
 FAILS = """MODULE m
   PROC main()
     inverse 0;
@@ -54,11 +55,13 @@ CALLS: dict[str, tuple[tuple[object, ...], ...]] = {
         ("run", PROGRAMS / "out_of_reach.mod", "--no-record", "--assert", "time_s < 1"),
         ("run", "broken.mod", "--no-record"),
         ("run", "fails.mod", "--no-record"),
+        ("run", "fixable.mod", "--no-record"),
     ),
     "check": (
         ("check", PROGRAMS / "out_of_reach.mod"),
         ("check", PROGRAMS / "cell"),
-        ("check", "broken.mod"),
+        ("check", "broken.mod", "fixable.mod", "--statistics"),
+        ("check", "fixable.mod", "--fix", "--diff"),
     ),
     "kin-fk": (("kin", "fk", *ROBOT, "--joints", "0,0,0,0,30,0"),),
     "kin-ik": (
@@ -66,17 +69,25 @@ CALLS: dict[str, tuple[tuple[object, ...], ...]] = {
         ("kin", "ik", *ROBOT, "--position", "1374,0,630", *TURN),
         ("kin", "ik", *ROBOT, "--position", "374,0,630", *TURN, "--solver", "lm"),
     ),
-    "kin-jacobian": (("kin", "jacobian", *ROBOT, "--joints", "0,0,0,0,0,0"),),
+    "kin-jacobian": (
+        ("kin", "jacobian", *ROBOT, "--joints", "0,0,0,0,0,0"),
+        ("kin", "jacobian", *ROBOT, "--joints", "0,0,0,0,0,0", "--twist", "1,2,3,4,5,6"),
+    ),
     "robots": (("robots",),),
-    "robots-for": (("robots", "--for", PROGRAMS / "cell"),),
+    "robots-for": (
+        ("robots", "--for", PROGRAMS / "cell"),
+        ("robots", "--for", "missing.mod"),
+    ),
     "robot": (
         ("robots", "irb120", "--table", "--workspace"),
         ("robots", "rvm1"),
         ("robots", "irb460", "--table"),
+        ("robots", ROOT / "robots" / "irb120-3-0.58" / "irb120-3-0.58.urdf"),
     ),
     "frames": (("frames", PROGRAMS / "cell"),),
     "follow": (
         ("follow", PROGRAMS / "rvm1_line.csv", "--robot", "rvm1"),
+        ("follow", PROGRAMS / "rvm1_line.csv", "--robot", "rvm1", "--skip-unreachable"),
         ("follow", PROGRAMS / "kr10_row.csv", "--robot", "kr10"),
     ),
     "follow-compare": (("follow", PROGRAMS / "kr10_row.csv", "--robot", "kr10", "--compare"),),
@@ -119,6 +130,7 @@ def unknown_keys(value: Any, schema: Any, whole: Any, place: str = "") -> list[s
 def test_output_is_as_its_schema_says(name: str, tmp_path: Path) -> None:
     (tmp_path / "broken.mod").write_text(BROKEN)
     (tmp_path / "fails.mod").write_text(FAILS)
+    (tmp_path / "fixable.mod").write_text(FIXABLE)
     (tmp_path / "short.mod").write_text(LOGGED)
     (tmp_path / "answers.txt").write_text("questions;1\nrobotware;7.13\n1;3\n")
     (tmp_path / "moved.mod").write_text(LOGGED.replace("0, 30, 0), v200", "0, 40, 0), v200"))
@@ -133,6 +145,29 @@ def test_output_is_as_its_schema_says(name: str, tmp_path: Path) -> None:
         printed = json.loads(ended.out)
         Draft202012Validator(schema).validate(printed)
         assert not unknown_keys(printed, schema, schema)
+
+
+@pytest.mark.parametrize(
+    ("arguments", "text"),
+    [
+        (("run", "fixable.mod", "--no-record"), '"fix": {'),
+        (CALLS["kin-jacobian"][1], '"missed": {'),
+        (CALLS["robots-for"][1], '"error": {'),
+        (CALLS["robot"][-1], '"maker": null'),
+        (CALLS["robot"][-1], '"reach_mm": null'),
+        (CALLS["follow"][1], '"limit_deg_s": null'),
+    ],
+)
+def test_the_calls_print_rare_values(
+    arguments: tuple[object, ...], text: str, tmp_path: Path
+) -> None:
+    (tmp_path / "fixable.mod").write_text(FIXABLE)
+    assert text in call(*arguments, "--format", "json", cwd=tmp_path).out
+
+
+def test_the_description_of_a_key_is_its_own() -> None:
+    files = rapidsim.json_schema("check")["properties"]["files"]
+    assert files == {"type": "integer", "description": "Number of files that were read."}
 
 
 def test_a_schema_that_is_none_is_refused() -> None:

@@ -110,7 +110,7 @@ WRONG = (
     ("moves", [{"task": "T_ROB1"}], "moves[0].instruction is missing"),
     ("time_s", "2", "time_s is not a number"),
     ("time_s", 10**400, "time_s is not a finite number"),
-    ("end", "over", "end is `over`, which no run has"),
+    ("end", "over", "end is `over`, and not one of ended, stopped"),
     ("events", [{"kind": "signal", "signal": 3}], "events[0].signal is not text"),
     ("waits", 5, "waits is not a list"),
     ("models", [2], "models is not an object"),

@@ -309,8 +309,19 @@ def test_facts_are_what_a_record_can_hold() -> None:
             assert told <= {*FACTS, f"tuple[{kind.__name__}, ...]"}, kind
 
 
-REST: tuple[object, ...] = ([0, 0, [], ""], [], True)
-PLACE: tuple[object, ...] = (None, [], None, None, False)
+def with_violation(*violation: object) -> list[object]:
+    finding: dict[str, object] = {
+        "violation": violation,
+        "span": None,
+        "related": [],
+        "assumed": False,
+    }
+    return [[], {"diagnostics": [finding], "coverage": {}, "notices": [], "lasts": True}]
+
+
+def test_a_violation_of_ours_is_read() -> None:
+    kind = "rapidsim.analysis.suppressions", "UnusedSuppression"
+    assert read_findings(with_violation(*kind, [["K601"]]), ()).lasts
 
 
 @pytest.mark.parametrize(
@@ -318,9 +329,10 @@ PLACE: tuple[object, ...] = (None, [], None, None, False)
     [
         [],
         "text",
-        [[], [[["os", "system", ["true"]], *PLACE]], *REST],
-        [[], [[["rapidsim.files", "InputError", ["a"]], *PLACE]], *REST],
-        [[["elsewhere.mod", None]], [], *REST],
+        [[], {"diagnostics": [], "coverage": {}, "notices": []}],
+        with_violation("os", "system", ["true"]),
+        with_violation("rapidsim.files", "InputError", ["a"]),
+        [[["elsewhere.mod", None]], with_violation()[1]],
     ],
 )
 def test_what_is_no_record_is_refused(record: object) -> None:

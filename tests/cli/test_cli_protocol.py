@@ -105,9 +105,9 @@ def test_the_arm_that_answered_answers_here(tmp_path: Path) -> None:
     written(tmp_path, {}, robot="IRB 120-3/0.6")
     shown = call("protocol", ANSWERS, cwd=tmp_path, columns=200).out
     assert "rapidsim, irb120-3-0.58" in shown
-    assert arm_of(Protocol("6", "IRB 4600-40/2.55 Type A", {})) == "irb4600-40-2.55"
-    assert arm_of(Protocol("6", "IRB 9999-1/1.0", {})) is None
-    assert arm_of(Protocol("6", "virtual", {})) is None
+    assert arm_of(Protocol("6", "IRB 4600-40/2.55 Type A", "?", "?", "?", {})) == "irb4600-40-2.55"
+    assert arm_of(Protocol("6", "IRB 9999-1/1.0", "?", "?", "?", {})) is None
+    assert arm_of(Protocol("6", "virtual", "?", "?", "?", {})) is None
 
 
 def test_another_file_is_refused(tmp_path: Path) -> None:

@@ -17,7 +17,7 @@ from rapidsim.jobs.inputs.job import job
 from rapidsim.jobs.inputs.run_request import RunRequest
 from rapidsim.jobs.running.run_files import LoadedJob, executed, loaded, prepared
 from rapidsim.report.run.figures import figures
-from rapidsim.report.run.json_report import run_json
+from rapidsim.report.run.json_report import RunFiles, run_json
 from rapidsim.report.run.verdicts import Verdicts
 from rapidsim.simulation.result_builder import FinishedRun
 
@@ -38,7 +38,7 @@ pytestmark = pytest.mark.process
 def as_json(run: FinishedRun) -> str:
     simulation = run.simulation
     verdicts = Verdicts((), None)
-    found = run_json(simulation, figures(simulation), simulation.diagnostics, {}, verdicts)
+    found = run_json(simulation, figures(simulation), simulation.diagnostics, RunFiles(), verdicts)
     return json.dumps(found)
 
 

@@ -161,6 +161,7 @@ ELSEWHERE = {
     },
     "interpreter/linking/loader.py": {"load"},
     "interpreter/linking/namespace.py": {"ArgName"},
+    "json_records": {"type"},
     "language": {"write", "stop"},
     "lsp/token_pieces.py": {"type"},
     "motion/timing/constraints.py": {"PathAccLim", "WorldAccLim"},

@@ -19,10 +19,11 @@ from rapidsim.jobs.checking.check_files import check_job
 from rapidsim.jobs.inputs.job import job
 from rapidsim.jobs.inputs.run_request import RunRequest
 from rapidsim.jobs.running.run_files import ProgramRejectedError
+from rapidsim.json_records.encoding import json_of
+from rapidsim.report.findings.diagnostic_records import diagnostic_record
 from rapidsim.report.findings.merging import merged
-from rapidsim.report.findings.text import diagnostic_json
 from rapidsim.report.run.figures import figures
-from rapidsim.report.run.json_report import run_json
+from rapidsim.report.run.json_report import RunFiles, run_json
 from rapidsim.simulation.options import RunOptions
 
 ROOT = Path(__file__).parents[2]
@@ -89,10 +90,10 @@ def assert_run_as_printed(path: str, printed: dict[str, object]) -> None:
         run = rapidsim.simulate([path], max_time=LONGEST_S)
     except ProgramRejectedError as rejected:
         assert printed["models"] == {}, "the command ran it"
-        found = [diagnostic_json(one) for one in merged(rejected.diagnostics)]
+        found = [json_of(diagnostic_record(one)) for one in merged(rejected.diagnostics)]
         assert json.loads(json.dumps(found)) == printed["diagnostics"]
     else:
-        report = run_json(run, figures(run), run.diagnostics, {})
+        report = run_json(run, figures(run), run.diagnostics, RunFiles())
         assert json.loads(json.dumps(report)) == printed
 
 

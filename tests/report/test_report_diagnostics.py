@@ -15,9 +15,11 @@ from rapidsim.diagnostics import Diagnostic, Edit, Fix, Related, Rule, Source, S
 from rapidsim.findings.reach_and_motion_data import UnreachableTarget
 from rapidsim.findings.runs import UncaughtError
 from rapidsim.jobs.inputs.selectors import is_selected
+from rapidsim.json_records.encoding import json_of
+from rapidsim.report.findings.diagnostic_records import diagnostic_record
 from rapidsim.report.findings.merging import merged
 from rapidsim.report.findings.source_frame import printable, shown_line
-from rapidsim.report.findings.text import concise, diagnostic_json, full, summary_line
+from rapidsim.report.findings.text import concise, full, summary_line
 from rapidsim.report.palette import COLOURED, PLAIN
 
 
@@ -127,7 +129,7 @@ def test_a_finding_without_a_place() -> None:
     message = "this condition is always FALSE"
     assert shown(diagnostic) == f"warning[F402] constant-condition: {message}\n\n"
     assert concise(merged([diagnostic]), PLAIN) == f"warning[F402] {message}\n"
-    assert diagnostic_json(merged([diagnostic])[0])["file"] is None
+    assert json_of(diagnostic_record(merged([diagnostic])[0]))["file"] is None
 
 
 def test_repeats_become_one_finding() -> None:
@@ -141,7 +143,7 @@ def test_repeats_become_one_finding() -> None:
     assert "a.mod:1:1: warning[F402] this condition is always p (and 2 more)" in concise(
         merged(findings), PLAIN
     )
-    assert diagnostic_json(first)["repeats"] == [
+    assert json_of(diagnostic_record(first))["repeats"] == [
         {"file": "a.mod", "line": 3, "column": 1},
         {"file": "a.mod", "line": 4, "column": 1},
     ]
@@ -179,7 +181,7 @@ def test_json_holds_what_the_text_does() -> None:
     [finding] = merged(
         [Diagnostic(UndefinedName("p10", "p1"), span(text, "p10"), related, fix, "main")]
     )
-    report = json.loads(json.dumps(diagnostic_json(finding), allow_nan=False))
+    report = json.loads(json.dumps(json_of(diagnostic_record(finding)), allow_nan=False))
     place = {"file": "a.mod", "line": 1, "column": 4, "end_line": 1, "end_column": 7}
     assert report == {
         "code": "N201",

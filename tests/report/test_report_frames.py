@@ -11,8 +11,9 @@ from hypothesis import strategies as st
 from rapidsim.files import SourceFile
 from rapidsim.frames.quaternion import angle_between, from_zyx
 from rapidsim.jobs.checking.checked_program import load
+from rapidsim.json_records.encoding import json_of
 from rapidsim.language.data import Orient, Pos, Pose
-from rapidsim.report.tables.frame_text import euler_zyx_deg, frame_json
+from rapidsim.report.tables.frame_text import euler_zyx_deg, frame_record
 from rapidsim.report.tables.frame_tree import FrameNode, composed, frame_tree
 from rapidsim.simulation.start_values import start_values
 
@@ -83,7 +84,7 @@ def test_frames_stand_where_the_program_puts_them() -> None:
 def test_a_target_under_two_work_objects_stands_twice() -> None:
     text = CELL.read_text().replace('TPWrite "Done";', "MoveL pHome,v100,fine,tGrip\\WObj:=wTray;")
     root = tree_of(text)
-    assert json.dumps(frame_json(root)).count('"pHome"') == 2
+    assert json.dumps(json_of(frame_record(root))).count('"pHome"') == 2
 
 
 def test_values_are_those_before_the_run() -> None:

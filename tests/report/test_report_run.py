@@ -14,8 +14,10 @@ from rich.console import Console
 from rapidsim.controller.moves.executed_move import CornerKind
 from rapidsim.diagnostics import Diagnostic, Span
 from rapidsim.findings.runs import QuestionUnanswered
+from rapidsim.json_records.encoding import json_of
 from rapidsim.report.run.figures import figures
-from rapidsim.report.run.json_report import models, rejected_json, run_json
+from rapidsim.report.run.json_report import RunFiles, rejected_report, run_json
+from rapidsim.report.run.run_models import models
 from rapidsim.report.run.summary import ASCII_BARS, BLOCK_BARS, Bars, OutputFile, summary
 from rapidsim.simulation.results.simulation import End, Simulation
 from rapidsim.simulation.results.verdict import run_verdict
@@ -74,7 +76,7 @@ def test_a_run_without_moves_has_a_report_too() -> None:
     idle = with_robot(run(), moves=(), path_m=0.0)
     simulation = replace(idle, motion_s=0.0, time_s=0.0, events=())
     assert "none" in text(simulation)
-    report = run_json(simulation, figures(simulation), (), {})
+    report = run_json(simulation, figures(simulation), (), RunFiles())
     assert (report["moves"], report["min_joint_margin"], report["min_singularity"]) == (
         [],
         None,
@@ -119,7 +121,7 @@ def test_json_is_the_contract() -> None:
     simulation = run()
     report = json.loads(
         json.dumps(
-            run_json(simulation, figures(simulation), (), {"recording": "cell.rrd"}),
+            run_json(simulation, figures(simulation), (), RunFiles(recording="cell.rrd")),
             allow_nan=False,
         )
     )
@@ -196,15 +198,15 @@ def test_json_is_the_contract() -> None:
 
 def test_json_has_no_number_that_is_none() -> None:
     simulation = replace(run(), time_s=float("inf"), wait_s=float("nan"))
-    report = run_json(simulation, figures(simulation), (), {})
+    report = run_json(simulation, figures(simulation), (), RunFiles())
     assert (report["time_s"], report["wait_s"]) == (None, None)
 
 
 def test_a_rejected_program_has_the_same_keys() -> None:
     finding = Diagnostic(QuestionUnanswered("Which part?", "0"), Span(SOURCE, 0, 6))
-    rejected = rejected_json(["a.mod"], "irb120-3-0.58", [finding])
+    rejected = json_of(rejected_report(["a.mod"], "irb120-3-0.58", [finding]))
     simulation = run()
-    assert list(rejected) == list(run_json(simulation, figures(simulation), (), {}))
+    assert list(rejected) == list(run_json(simulation, figures(simulation), (), RunFiles()))
     assert rejected["end"] == "error"
 
 
@@ -230,10 +232,10 @@ def test_all_robots_are_told_of() -> None:
 
 def test_what_is_true_of_all_robots_is_said_once() -> None:
     shown = models(both())
-    assert shown["acceleration"] == models(run())["acceleration"]
+    assert shown.acceleration == models(run()).acceleration
     one, other = both().robots
     unknown = replace(other, robot=replace(other.robot, dynamics=None))
-    said = models(replace(both(), robots=(one, unknown)))["acceleration"]
+    said = models(replace(both(), robots=(one, unknown))).acceleration
     assert said == (
-        f"{ROBOT.name}: {shown['acceleration']}; twin: axis acceleration = axis speed / 0.16 s"
+        f"{ROBOT.name}: {shown.acceleration}; twin: axis acceleration = axis speed / 0.16 s"
     )

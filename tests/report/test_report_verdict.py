@@ -10,7 +10,7 @@ from report_run import run
 from rapidsim.api.run import Run
 from rapidsim.report.html.sections import head
 from rapidsim.report.run.figures import figures
-from rapidsim.report.run.json_report import run_json
+from rapidsim.report.run.json_report import RunFiles, run_json
 from rapidsim.simulation.results.simulation import End
 from rapidsim.simulation.results.verdict import Failure, Level, run_verdict
 
@@ -30,7 +30,7 @@ def test_all_outputs_share_the_verdict(end: End) -> None:
     failure, level, words = VERDICTS[end]
     assert (verdict.failure, verdict.level) == (failure, level)
     assert verdict.headline == f"{words} after 2.500 s"
-    report = run_json(simulation, figures(simulation), (), {})
+    report = run_json(simulation, figures(simulation), (), RunFiles())
     assert report["ok"] is verdict.ok is Run(simulation, ()).ok is (failure is None)
     assert verdict.headline in head(simulation)
 

@@ -158,7 +158,7 @@ def test_what_is_not_simulated_is_told_once(tmp_path: Path) -> None:
 def test_in_lock_step_the_same_requests_give_the_same_replies(tmp_path: Path) -> None:
     def run() -> list[Reply | Notification]:
         served, told = engine(tmp_path, LockStep(0.05))
-        served.reply(Subscribe(1, ("/rw/rapid/symbol/data/RAPID/T_ROB1/rounds;value",)))
+        served.reply(Subscribe(("/rw/rapid/symbol/data/RAPID/T_ROB1/rounds;value",), 1))
         state = Request("GET", "/rw/rapid/execution")
         joints = Request("GET", "/rw/motionsystem/mechunits/ROB_1/jointtarget")
         asked = [state, START, *[joints] * 5, GO, *[state, joints] * 40]

@@ -58,10 +58,10 @@ ACTS: tuple[Message, ...] = (
     Request("GET", "/rw/motionsystem/mechunits/ROB_1/jointtarget", {}, {}, 1),
     Request("POST", "/rw/dipc", {"action": "dipc-create"}, {"dipc-queue-name": "q"}, 1),
     Request("POST", "/rw/dipc/RMQ_T_ROB1", {"action": "dipc-send"}, {"dipc-data": "num;5"}, 2),
-    Request("PUT", "/fileservice/$RAMDISK/a.txt", {}, {}, 1, b"uploaded \xff\n"),
+    Request("PUT", "/fileservice/$RAMDISK/a.txt", {}, {}, 1, content=b"uploaded \xff\n"),
     Request("POST", "/rw/panel/speedratio", {"action": "setspeedratio"}, {"speed-ratio": "30"}, 1),
     SessionEnded(1),
-    Subscribe(1, ("/rw/iosystem/signals/doPulse;state", "/rw/rapid/execution;ctrlexecstate")),
+    Subscribe(("/rw/iosystem/signals/doPulse;state", "/rw/rapid/execution;ctrlexecstate"), 1),
 )
 START, STOP, RESET, GO_ON = ACTS[0], ACTS[1], ACTS[2], ACTS[3]
 UPLOAD = ACTS[8]

@@ -195,7 +195,7 @@ def _requests(route: Route, generation: int) -> Iterator[Request]:
     for address in dict.fromkeys((right, wrong)):
         for form in FORMS:
             query = {**form, "action": route.action} if route.action else dict(form)
-            yield Request(route.method, address, query, form, 1, b"\xff\0", generation)
+            yield Request(route.method, address, query, form, 1, generation, b"\xff\0")
 
 
 @pytest.fixture
@@ -225,7 +225,7 @@ def test_every_resource_answers_in_every_state(
         return [live.motors.value, live.mode.value, executes] == shown
 
     assert is_there()
-    one.reply(Subscribe(1, ("/rw/rapid/execution;ctrlexecstate", "/rw/iosystem/signals/diGo")))
+    one.reply(Subscribe(("/rw/rapid/execution;ctrlexecstate", "/rw/iosystem/signals/diGo"), 1))
     for generation, routes in ROUTES.items():
         for route in routes:
             # A program that executes is seen to; what else a state is, the last one may have ended.

@@ -15,7 +15,7 @@ from rapidsim.frames.rotation_vectors import rotation_from_vector
 from rapidsim.frames.transform import Array, Transform
 from rapidsim.motion.model import MotionModel
 from rapidsim.motion.robot.external_axes import ExternalAxis
-from rapidsim.report.run.json_report import models
+from rapidsim.report.run.run_models import models
 
 AXES = MotionModel(smoothing="axes")
 PATH = MotionModel(smoothing="path")
@@ -80,7 +80,7 @@ def test_outputs_and_texts_keep_their_times_and_positions_are_those_seen() -> No
     )
     assert axes.texts[0] != path.texts[0]
     assert axes.texts[1] == path.texts[1]
-    assert models(axes.run)["smoothing"] == "axes"
+    assert models(axes.run).smoothing == "axes"
 
 
 def test_a_search_finds_the_place_that_is_seen() -> None:

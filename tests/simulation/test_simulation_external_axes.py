@@ -21,7 +21,7 @@ from rapidsim.motion.model import MODELS
 from rapidsim.motion.robot.external_axes import ExternalAxis
 from rapidsim.motion.trajectory.trajectory import Samples
 from rapidsim.report.run.figures import figures
-from rapidsim.report.run.json_report import run_json
+from rapidsim.report.run.json_report import RunFiles, run_json
 from rapidsim.station.read import read_station
 
 TRACK = ExternalAxis(
@@ -227,7 +227,7 @@ def test_a_unit_that_no_station_declares_is_told() -> None:
 def test_json_and_samples_hold_the_external_axes() -> None:
     data = "  CONST jointtarget far:=[[0,0,0,0,30,0],[200,45,9E9,9E9,9E9,9E9]];\n"
     run = ran(program("MoveAbsJ far,v1000,fine,tool0;", data=data), external_axes=(TRACK, TABLE))
-    written = json.loads(json.dumps(run_json(run.run, figures(run.run), [], {})))
+    written = json.loads(json.dumps(run_json(run.run, figures(run.run), [], RunFiles())))
     (move,) = written["moves"]
     assert move["external"] == {"eax_a": pytest.approx(200.0), "eax_b": pytest.approx(45.0)}
     assert run.run.only.sample(run.run.time_s).external[0] == pytest.approx([0.2, np.pi / 4])

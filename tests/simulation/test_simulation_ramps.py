@@ -10,7 +10,7 @@ from simulation_program import arm, ran
 from rapidsim.diagnostics import Severity
 from rapidsim.motion.model import MotionModel
 from rapidsim.motion.timing.axis_limits import model_of
-from rapidsim.report.run.json_report import models
+from rapidsim.report.run.run_models import models
 
 JOINTS = simulation_tasks.JOINTS
 
@@ -76,9 +76,9 @@ def test_a_run_says_what_it_assumes_and_once_that_a_higher_ramp_waits() -> None:
     assert found.violation.severity is Severity.NOTE
     assert "ramp of 80 %, but this move still has 50 %" in found.violation.message
     assert run.findings == [("R113", 9)]
-    assert "assumed" in str(models(run.run)["ramp"])
+    assert "assumed" in str(models(run.run).ramp)
     plain = ran(program(f"MoveJ {target(800, -200, 700)},v500,fine,tool0;"))
-    assert "ramp" not in models(plain.run)
+    assert models(plain.run).ramp is None
 
 
 def test_robots_of_a_team_share_the_lowest_ramp() -> None:

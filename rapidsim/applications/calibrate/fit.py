@@ -20,6 +20,7 @@ import math
 from collections.abc import Callable, Sequence
 from dataclasses import replace
 from functools import partial
+from typing import Annotated
 
 import numpy as np
 
@@ -28,6 +29,7 @@ from rapidsim.applications.calibrate.joint_log import JointLog
 from rapidsim.applications.calibrate.log_comparison import MotionByPlace
 from rapidsim.files import InputError
 from rapidsim.frames.transform import Array
+from rapidsim.json_records.declarations import Key, OrAbsent
 from rapidsim.motion.model import MotionModel
 from rapidsim.motion.robot.robot import Robot
 from rapidsim.motion.timing.axis_limits import model_of, torques_of
@@ -78,13 +80,15 @@ class Fitted:
     value: float
     uncertainty: float
     """Standard deviation."""
-    start: float
+    start: Annotated[float, Key("known")]
     """Value before the fit."""
     seen: bool
     """Whether the logs determine it better than the prior does."""
     contradicts: bool
     """Whether the logs contradict the value measured on this arm."""
-    in_seconds: bool
+    value_s: OrAbsent[float]
+    """The value again, if it is a time."""
+    uncertainty_s: OrAbsent[float]
 
 
 @value_class(frozen=True, slots=True)
@@ -93,16 +97,17 @@ class LogFit:
 
     name: str
     rows: int
-    rms_before_s: float
-    rms_after_s: float
     duration_s: float
     """Duration of the logged motion."""
+    rms_before_s: float
+    rms_after_s: float
     end_before_s: float
     """Our duration less the log's, with the model as it was."""
     end_after_s: float
     rms_left_out_s: float | None
-    """Deviation if only the other logs are fitted; None without other logs."""
+    """Deviation if only the other logs are fitted; null without other logs."""
     end_left_out_s: float | None
+    """Deviation if only the other logs are fitted; null without other logs."""
 
 
 @value_class(frozen=True, slots=True)
@@ -198,7 +203,8 @@ def calibrate(runs: Sequence[LoggedRun], robot: Robot, model: MotionModel) -> Ca
                 seen=s < _SEEN * parameter.spread,
                 contradicts=parameter.measured
                 and abs(value - parameter.start) > _CONTRADICTS * parameter.spread,
-                in_seconds=parameter.in_seconds,
+                value_s=value if parameter.in_seconds else None,
+                uncertainty_s=s if parameter.in_seconds else None,
             )
             for parameter, value, s in zip(parameters, values.tolist(), sigma.tolist(), strict=True)
         ),

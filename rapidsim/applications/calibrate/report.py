@@ -6,7 +6,10 @@ from rich.console import Group, RenderableType
 from rich.table import Table
 from rich.text import Text
 
-from rapidsim.applications.calibrate.fit import Calibration, Fitted
+from rapidsim.applications.calibrate.fit import Calibration, Fitted, LogFit
+from rapidsim.json_records.declarations import OutputRecord
+from rapidsim.json_records.encoding import json_of
+from rapidsim.values import value_class
 
 _MEANINGS = {
     "torque": "factor on the known torque of the axis",
@@ -24,7 +27,7 @@ def as_text(calibration: Calibration) -> RenderableType:
     for title in ("parameter", "before", "now", "+-", ""):
         fitted.add_column(title, justify="right" if title in ("before", "now", "+-") else "left")
     for one in calibration.parameters:
-        unit = " s" if one.in_seconds else ""
+        unit = " s" if one.value_s is not None else ""
         values = (one.start, one.value, one.uncertainty)
         fitted.add_row(one.name, *(f"{value:.3f}{unit}" for value in values), _remark(one))
     met = Table(box=None, pad_edge=False)
@@ -81,43 +84,17 @@ def _share(seconds: float | None, whole_s: float) -> str:
     return "" if seconds is None else f"{100.0 * seconds / whole_s:+.2f} %"
 
 
+@value_class(frozen=True, slots=True)
+class CalibrationReport(OutputRecord):
+    """The object that `rapidsim calibrate --format json` prints."""
+
+    parameters: tuple[Fitted, ...]
+    logs: tuple[LogFit, ...]
+
+
 def as_json(calibration: Calibration) -> dict[str, object]:
     """One object."""
-    return {
-        "schema": 1,
-        "parameters": [
-            {
-                "name": one.name,
-                "table": one.table,
-                "key": one.key,
-                "value": one.value,
-                "uncertainty": one.uncertainty,
-                "known": one.start,
-                "seen": one.seen,
-                "contradicts": one.contradicts,
-                **(
-                    {"value_s": one.value, "uncertainty_s": one.uncertainty}
-                    if one.in_seconds
-                    else {}
-                ),
-            }
-            for one in calibration.parameters
-        ],
-        "logs": [
-            {
-                "name": log.name,
-                "rows": log.rows,
-                "duration_s": log.duration_s,
-                "rms_before_s": log.rms_before_s,
-                "rms_after_s": log.rms_after_s,
-                "end_before_s": log.end_before_s,
-                "end_after_s": log.end_after_s,
-                "rms_left_out_s": log.rms_left_out_s,
-                "end_left_out_s": log.end_left_out_s,
-            }
-            for log in calibration.logs
-        ],
-    }
+    return json_of(CalibrationReport(calibration.parameters, calibration.logs))
 
 
 def _remark(parameter: Fitted) -> str:

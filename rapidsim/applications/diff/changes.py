@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
-from typing import TypeAlias
+from typing import Annotated, TypeAlias
 
+from rapidsim.diagnostics import Severity
+from rapidsim.json_records.declarations import Key, OutputRecord
 from rapidsim.values import value_class
 
 
@@ -105,7 +107,7 @@ class FindingChange:
 
     is_new: bool
     code: str
-    severity: str
+    severity: Annotated[str, Severity]
     message: str
     routine: str | None
     at: SourcePosition | None
@@ -119,15 +121,16 @@ class RunChange:
     after_s: float
     ends: tuple[str, str]
     """Ends of the runs."""
+    errors: tuple[str | None, str | None] = (None, None)
+    """Code and message of the errors that stopped the runs; null for other ends."""
+    robots: tuple[str, str] = ("", "")
+    """Arms of the runs."""
+    motion_models: tuple[str, str] = ("", "")
+    """Versions of the motion model; empty if a saved run names none."""
     routines: tuple[TimeChange, ...] = ()
     lines: tuple[TimeChange, ...] = ()
     outputs: tuple[OutputChange, ...] = ()
-    motion_models: tuple[str, str] = ("", "")
-    """Versions of the motion model; "" if unspecified."""
-    robots: tuple[str, str] = ("", "")
-    """Arms of the runs."""
-    errors: tuple[str | None, str | None] = (None, None)
-    """Errors that stopped the runs; None for other ends."""
+    """Signals whose times or values changed."""
 
     @property
     def other_model(self) -> str:
@@ -168,3 +171,23 @@ class Comparison:
         """Whether there is no difference."""
         runs_alike = self.run is None or self.run.is_same
         return not (self.changes or self.findings or self.configuration) and runs_alike
+
+
+@value_class(frozen=True, slots=True)
+class ComparisonReport(OutputRecord):
+    """The object that `rapidsim diff --format json` prints."""
+
+    names: tuple[str, str]
+    """A and B, as the user named them."""
+    same: bool
+    """Whether there is no difference: the exit code is 0, else 1."""
+    configuration: tuple[ConfigurationChange, ...]
+    """Changes of system parameters, options and station files."""
+    not_compared: tuple[str, ...]
+    """Notes on parts that only one side has."""
+    changes: tuple[ProgramChange, ...]
+    findings: tuple[FindingChange, ...]
+    """New and removed findings."""
+    run: RunChange | None
+    """Null if a side has no run, or no run was requested."""
+    no_run_reason: Annotated[str | None, Key("why_no_run")]

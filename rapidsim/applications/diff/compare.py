@@ -30,8 +30,9 @@ from rapidsim.jobs.inputs.answers import answers_of_file
 from rapidsim.jobs.inputs.job import Job, job
 from rapidsim.jobs.inputs.run_request import RunRequest
 from rapidsim.jobs.running.run_files import ProgramRejectedError, run_job
+from rapidsim.json_records.encoding import json_of
 from rapidsim.module_files import TaskFiles, backup_among, has_modules, opened
-from rapidsim.report.run.json_report import course_json
+from rapidsim.report.run.json_report import course_report
 from rapidsim.simulation.results.simulation import RobotRun, Simulation
 from rapidsim.station.tasks import DEFAULT_TASK
 from rapidsim.syntax.parser import parse
@@ -133,7 +134,7 @@ def _side(request: RunRequest, run: bool, answers: str | None, visible: Shown) -
         simulation = _ran(found, answers)
     except ProgramRejectedError as error:
         return replace(side, no_run_reason=f"{name} does not run: {error}")
-    report = course_json(simulation, simulation.diagnostics)
+    report = json_of(course_report(simulation, simulation.diagnostics))
     single = simulation.robots[0] if len(simulation.robots) == 1 else None
     position = None if single is None else _position(single)
     record = read_run_record(report, name)

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Sequence
-from dataclasses import asdict
 from pathlib import Path
 
 from rapidsim.applications.diff.changes import (
     Comparison,
+    ComparisonReport,
     ConfigurationChange,
     FindingChange,
     ProgramChange,
@@ -16,6 +16,7 @@ from rapidsim.applications.diff.changes import (
     SourcePosition,
     TimeChange,
 )
+from rapidsim.json_records.encoding import json_of
 from rapidsim.values import value_class
 
 _MOST_LINES = 20
@@ -64,30 +65,17 @@ def as_markdown(comparison: Comparison) -> str:
 
 def as_json(comparison: Comparison) -> dict[str, object]:
     """Return the report as JSON: everything except the paths."""
-    run = comparison.run
-    return {
-        "schema": 1,
-        "names": list(comparison.names),
-        "same": comparison.is_same,
-        "configuration": [asdict(change) for change in comparison.configuration],
-        "not_compared": list(comparison.not_compared),
-        "changes": [asdict(change) for change in comparison.changes],
-        "findings": [asdict(finding) for finding in comparison.findings],
-        "run": None
-        if run is None
-        else {
-            "before_s": run.before_s,
-            "after_s": run.after_s,
-            "ends": list(run.ends),
-            "errors": list(run.errors),
-            "robots": list(run.robots),
-            "motion_models": list(run.motion_models),
-            "routines": [asdict(change) for change in run.routines],
-            "lines": [asdict(change) for change in run.lines],
-            "outputs": [asdict(change) for change in run.outputs],
-        },
-        "why_no_run": comparison.no_run_reason,
-    }
+    report = ComparisonReport(
+        names=comparison.names,
+        same=comparison.is_same,
+        configuration=comparison.configuration,
+        not_compared=comparison.not_compared,
+        changes=comparison.changes,
+        findings=comparison.findings,
+        run=comparison.run,
+        no_run_reason=comparison.no_run_reason,
+    )
+    return json_of(report)
 
 
 def _change_line(change: ProgramChange) -> str:

@@ -31,15 +31,15 @@ def run_changes(old: ProgramRun, new: ProgramRun) -> RunChange:
     before, after = old.record, new.record
     a, b = before.steps, after.steps
     return RunChange(
-        before.time_s,
-        after.time_s,
-        (before.end.value, after.end.value),
-        tuple(_routine_changes(a, b)),
-        tuple(sorted(_line_changes(a, b), key=lambda one: -abs(one.delta_s))),
-        tuple(_output_changes(old, new)),
-        (before.motion_model, after.motion_model),
-        (entry_name(before.robot), entry_name(after.robot)),
-        (_error(before), _error(after)),
+        before_s=before.time_s,
+        after_s=after.time_s,
+        ends=(before.end.value, after.end.value),
+        errors=(_error(before), _error(after)),
+        robots=(entry_name(before.robot), entry_name(after.robot)),
+        motion_models=(before.motion_model, after.motion_model),
+        routines=tuple(_routine_changes(a, b)),
+        lines=tuple(sorted(_line_changes(a, b), key=lambda one: -abs(one.delta_s))),
+        outputs=tuple(_output_changes(old, new)),
     )
 
 

@@ -1,14 +1,18 @@
 """Parts of a run that are compared, read from the object of `rapidsim run --format json`.
 
-The object may come from a file: this module, and no other, checks every value.
+The object may come from a file, also of another version.
 """
 
 from __future__ import annotations
 
-import math
-from collections.abc import Mapping
+from collections.abc import Iterator, Sequence
 
+from rapidsim.controller.journal.events import EventKind
 from rapidsim.files import InputError
+from rapidsim.json_records.reading import WrongValueError, read_partially
+from rapidsim.report.run.json_report import RunReport
+from rapidsim.report.run.records import MoveRecord, WaitRecord
+from rapidsim.simulation.results.event_values import EventRecord
 from rapidsim.simulation.results.simulation import End
 from rapidsim.values import value_class
 
@@ -60,116 +64,61 @@ class RunRecord:
     """Severity, code and message."""
 
 
+@value_class(frozen=True, slots=True)
+class _SignalDetails:
+    """Details of an event of a signal."""
+
+    signal: str
+    value: float
+
+
 _OUTSIDE = "cell"
 """Task of events that no program causes."""
-_NEEDED = object()
 
 
 def read_run_record(report: object, name: str) -> RunRecord:
     """Return the record of a run.
 
     Args:
-        report: The object.
+        report: The object, which another version may have written.
         name: Name of its file, for messages.
 
     Raises:
         InputError: If it is not the object of a run.
     """
     try:
-        return _record(_Object(report, "it"))
-    except _WrongValueError as error:
+        return _record(read_partially(RunReport, report))
+    except WrongValueError as error:
         raise InputError(
             f"{name} is not a saved run: {error}", "`rapidsim run --format json` prints one"
         ) from None
 
 
-class _WrongValueError(ValueError):
-    """A value that is invalid in the object of a run; the message describes it."""
-
-
-class _Object:
-    """Typed access to the values of a JSON object."""
-
-    def __init__(self, value: object, path: str) -> None:
-        if not isinstance(value, Mapping):
-            raise _WrongValueError(f"{path} is not an object")
-        self._values: Mapping[str, object] = value
-        self._path = path
-
-    def text(self, key: str, default: object = _NEEDED) -> str:
-        """Return a string."""
-        value = self._value(key, default)
-        if not isinstance(value, str):
-            raise _WrongValueError(f"{self._at(key)} is not text")
-        return value
-
-    def number(self, key: str) -> float:
-        """Return a finite number."""
-        value = self._value(key, _NEEDED)
-        if not isinstance(value, int | float):
-            raise _WrongValueError(f"{self._at(key)} is not a number")
-        try:
-            number = float(value)
-        except OverflowError:
-            number = math.inf
-        if not math.isfinite(number):
-            raise _WrongValueError(f"{self._at(key)} is not a finite number")
-        return number
-
-    def objects(self, key: str, default: object = _NEEDED) -> list[_Object]:
-        """Return a list of objects."""
-        values = self._value(key, default)
-        if not isinstance(values, list | tuple):
-            raise _WrongValueError(f"{self._at(key)} is not a list")
-        return [_Object(one, f"{self._at(key)}[{n}]") for n, one in enumerate(values)]
-
-    def child(self, key: str) -> _Object:
-        """Return an object; empty if it is missing or null."""
-        return _Object(self._value(key, None) or {}, self._at(key))
-
-    def _value(self, key: str, default: object) -> object:
-        value = self._values.get(key)
-        if value is None and default is _NEEDED:
-            raise _WrongValueError(f"{self._at(key)} is missing")
-        return default if value is None else value
-
-    def _at(self, key: str) -> str:
-        return key if self._path == "it" else f"{self._path}.{key}"
-
-
-def _record(report: _Object) -> RunRecord:
-    end = report.text("end")
-    if end not in [one.value for one in End]:
-        raise _WrongValueError(f"end is `{end}`, which no run has")
-    moves = [_step(one, _short(one.text("to", ""))) for one in report.objects("moves")]
-    waits = [_step(one, one.text("for")) for one in report.objects("waits", ())]
-    changes = (
-        SignalChange(one.text("signal"), one.number("time_s"), one.number("value"))
-        for one in report.objects("events")
-        if one.text("kind") == "signal" and one.text("task", "") != _OUTSIDE
-    )
-    findings = report.objects("diagnostics", ())
+def _record(report: RunReport) -> RunRecord:
+    moves = [_step(one, _short(one.to or "")) for one in report.moves]
+    waits = [_step(one, one.awaited) for one in report.waits]
     return RunRecord(
-        time_s=report.number("time_s"),
-        end=End(end),
-        robot=report.text("robot", ""),
-        motion_model=report.child("models").text("motion", ""),
+        time_s=report.time_s,
+        end=report.end,
+        robot=report.robot,
+        motion_model=report.models.motion or "",
         steps=tuple(sorted((*moves, *waits), key=lambda step: step.start_s)),
-        signals=tuple(changes),
-        findings=tuple(
-            (one.text("severity"), one.text("code"), one.text("message")) for one in findings
-        ),
+        signals=tuple(_signal_changes(report.events)),
+        findings=tuple((one.severity.value, one.code, one.message) for one in report.diagnostics),
     )
 
 
-def _step(step: _Object, to: str) -> RunStep:
-    return RunStep(
-        step.text("task"),
-        step.text("routine", ""),
-        f"{step.text('instruction')} {to}",
-        step.number("start_s"),
-        step.number("end_s"),
-    )
+def _signal_changes(events: Sequence[EventRecord]) -> Iterator[SignalChange]:
+    for number, event in enumerate(events):
+        if event.kind == EventKind.SIGNAL and event.task != _OUTSIDE:
+            path = ((None, "events"), number)
+            found = read_partially(_SignalDetails, event.details, path)
+            yield SignalChange(found.signal, event.time_s, found.value)
+
+
+def _step(step: MoveRecord | WaitRecord, to: str) -> RunStep:
+    text = f"{step.instruction} {to}"
+    return RunStep(step.task, step.routine, text, step.start_s, step.end_s)
 
 
 def _short(target: str) -> str:

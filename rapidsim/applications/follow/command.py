@@ -32,6 +32,7 @@ from rapidsim.cli.terminal import (
 from rapidsim.extras import require
 from rapidsim.files import InputError, decode, input_bytes, standard_input
 from rapidsim.jobs.inputs.robot_choice import DEFAULT_ROBOT
+from rapidsim.json_records.encoding import json_of
 from rapidsim.values import value_class
 
 if TYPE_CHECKING:
@@ -315,16 +316,16 @@ def _report(
     files: Sequence[OutputFile],
     tried: Sequence[SeededSolve],
 ) -> None:
-    from rapidsim.applications.follow.follow_json import compared_json, follow_json, starts_json
+    from rapidsim.applications.follow.follow_json import compared_report, follow_report
     from rapidsim.applications.follow.follow_steps import render_result
     from rapidsim.applications.follow.follow_tables import starts_page
 
     terminal = current_terminal()
     if options.output_format == "json":
         if _comparisons(options) and not options.starts:
-            report = compared_json(task.requested, attempts)
+            report = json_of(compared_report(task.requested, attempts))
         else:
-            report = follow_json(task.requested, attempts) | starts_json(tried)
+            report = json_of(follow_report(task.requested, attempts, tried))
         print_json(report)
     elif not terminal.quiet:
         terminal.show(render_result(task, attempts, files, compare=options.compare))

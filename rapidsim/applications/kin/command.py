@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from math import degrees
 from time import perf_counter
 from typing import TYPE_CHECKING, Any, TypeVar
 
@@ -28,6 +29,7 @@ from rapidsim.cli.terminal import (
 from rapidsim.extras import require
 from rapidsim.files import InputError
 from rapidsim.jobs.inputs.robot_choice import DEFAULT_ROBOT
+from rapidsim.json_records.encoding import json_of
 from rapidsim.values import value_class
 
 if TYPE_CHECKING:
@@ -114,7 +116,7 @@ class ForwardOptions:
 def fk(options: ForwardOptions, setup: SetupOptions) -> int:
     """Show where the flange is, or the TCP, and every link."""
     from rapidsim.applications.kin import kin_steps
-    from rapidsim.applications.kin.kin_json import forward_json
+    from rapidsim.applications.kin.kin_json import forward_report
     from rapidsim.applications.kin.kin_tables import forward_page
     from rapidsim.cli.options.robot_choice import open_robot
     from rapidsim.frames.euler import Convention
@@ -131,7 +133,7 @@ def fk(options: ForwardOptions, setup: SetupOptions) -> int:
         f"{arm.title} at {_list(options.joints)} {arm.units()}",
     )
     if setup.output_format == "json":
-        print_json(forward_json(shown, Convention(setup.convention)))
+        print_json(json_of(forward_report(shown, Convention(setup.convention))))
     else:
         current_terminal().show(
             forward_page(shown, Convention(setup.convention), tables=options.tables)
@@ -201,7 +203,7 @@ def ik(options: InverseOptions, setup: SetupOptions) -> int:
     code is 1 if there is none.
     """
     from rapidsim.applications.kin import kin_steps
-    from rapidsim.applications.kin.kin_json import inverse_json
+    from rapidsim.applications.kin.kin_json import inverse_report
     from rapidsim.applications.kin.kin_tables import inverse_page
     from rapidsim.cli.options.robot_choice import open_robot
     from rapidsim.motion.configurations.confdata import has_branches
@@ -241,7 +243,7 @@ def ik(options: InverseOptions, setup: SetupOptions) -> int:
         else:
             found = solve_pose_as(arm, pose, _whole(options.conf))
     if setup.output_format == "json":
-        print_json(inverse_json(arm, name, found, searched))
+        print_json(json_of(inverse_report(arm, name, found, searched)))
     else:
         current_terminal().show(inverse_page(arm, name, asked, found, searched))
     if found.solutions:
@@ -274,7 +276,7 @@ def jacobian(options: JacobianOptions, setup: SetupOptions) -> int:
     import numpy as np
 
     from rapidsim.applications.kin import kin_steps
-    from rapidsim.applications.kin.kin_json import jacobian_json
+    from rapidsim.applications.kin.kin_json import jacobian_report
     from rapidsim.applications.kin.kin_tables import jacobian_page
     from rapidsim.cli.options.robot_choice import open_robot
     from rapidsim.motion.configurations.postures import Posture, Postures
@@ -290,7 +292,7 @@ def jacobian(options: JacobianOptions, setup: SetupOptions) -> int:
             [*(v / 1000.0 for v in options.twist[:3]), *np.radians(options.twist[3:])]
         )
     if setup.output_format == "json":
-        print_json(jacobian_json(arm, found, wanted))
+        print_json(json_of(jacobian_report(arm, found, wanted)))
     else:
         current_terminal().show(jacobian_page(arm, found, wanted))
     shown = Postures(
@@ -345,7 +347,9 @@ def _search(arm: Robot, pose: Transform, method: str) -> tuple[Any, SearchCost]:
     began = perf_counter()
     found = search(arm, pose, method)
     seconds = perf_counter() - began
-    searched = SearchCost(found.starts, found.iterations, TOLERANCE, seconds)
+    searched = SearchCost(
+        found.starts, found.iterations, TOLERANCE * 1000.0, degrees(TOLERANCE), seconds
+    )
     if found.solved:
         return PoseSolutions((solution(arm, pose, found.joints),), None), searched
     known = unreachable_reason(arm, pose)

@@ -126,8 +126,8 @@ def inverse_page(
     if searched:
         said += (
             f": {searched.starts} starts, {searched.iterations} iterations, "
-            f"tolerance {searched.tolerance * 1000.0:g} mm and "
-            f"{degrees(searched.tolerance):.1g} deg, {searched.seconds:.3f} s"
+            f"tolerance {searched.tolerance_mm:g} mm and "
+            f"{searched.tolerance_deg:.1g} deg, {searched.time_s:.3f} s"
         )
     if solutions.solutions:
         distance = max(solution.distance for solution in solutions.solutions) * 1000.0

@@ -16,6 +16,7 @@ from rapidsim.cli.terminal import (
 )
 from rapidsim.files import InputError
 from rapidsim.jobs.inputs.robot_choice import DEFAULT_ROBOT
+from rapidsim.json_records.encoding import json_of
 
 
 @click.command(short_help="Ask a controller twenty questions, and compare.")
@@ -54,7 +55,7 @@ def protocol(answers: str | None, robot: str | None, output_format: str) -> int:
         return ExitCode.CLEAN
     theirs = read_protocol(Path(answers))
     if output_format == "json":
-        print_json(theirs.as_json())
+        print_json(json_of(theirs))
     else:
         arm = robot or arm_of(theirs) or DEFAULT_ROBOT
         current_terminal().show(protocol_table(theirs, run_protocol(arm), arm))

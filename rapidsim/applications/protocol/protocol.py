@@ -12,9 +12,11 @@ from collections.abc import Mapping
 from dataclasses import replace
 from pathlib import Path
 from tempfile import TemporaryDirectory
+from typing import ClassVar
 
 from rapidsim.files import InputError, input_bytes
 from rapidsim.jobs.running.run_files import simulate
+from rapidsim.json_records.declarations import OutputRecord
 from rapidsim.language.error_numbers import NUMBERS
 from rapidsim.shipped import shipped
 from rapidsim.simulation.options import RunOptions
@@ -57,19 +59,23 @@ _LONGEST = 80
 
 
 @value_class(frozen=True, slots=True)
-class Protocol:
-    """Answers of one controller."""
+class Protocol(OutputRecord):
+    """Answers of one controller, and the object that `rapidsim protocol --format json` prints."""
 
+    questions: ClassVar[int] = int(_VERSION)
+    """Version of the questions."""
     robotware: str
+    """Version of the controller that answered."""
     robot: str
+    """Type of its arm."""
+    real: str
+    """`TRUE` for a real controller, `FALSE` for a virtual one, `?` if unknown."""
+    automatic: str
+    """`TRUE` in automatic mode, `?` if unknown; in manual mode moves are slower."""
+    speed: str
+    """Speed that the operator has set [%], `?` if unknown."""
     answers: Mapping[int, str]
     """Answers by number; without questions that were not answered."""
-    real: str = "?"
-    """`TRUE` for a real controller, `FALSE` for a virtual one."""
-    automatic: str = "?"
-    """`TRUE` in automatic mode; in manual mode moves are slower."""
-    speed: str = "?"
-    """Speed that the operator has set [%]."""
 
     def why_not_timed(self, number: int) -> str | None:
         """Reason why the time of a question is not comparable; None if it is comparable."""
@@ -78,20 +84,6 @@ class Protocol:
         if self.automatic == "FALSE":
             return "manual mode"
         return None if self.speed in (_FULL_SPEED, "?") else f"at {self.speed} % speed"
-
-    def as_json(self) -> dict[str, object]:
-        """Return the object to send."""
-        answers = {str(number): self.answers[number] for number in sorted(self.answers)}
-        return {
-            "schema": 1,
-            "questions": int(_VERSION),
-            "robotware": self.robotware,
-            "robot": self.robot,
-            "real": self.real,
-            "automatic": self.automatic,
-            "speed": self.speed,
-            "answers": answers,
-        }
 
 
 def questions() -> str:
@@ -117,10 +109,9 @@ def read_protocol(file: Path) -> Protocol:
             f"`rapidsim protocol` writes {MODULE}, which writes {ANSWERS} on a controller",
         )
     answers = {number: fields[str(number)] for number in TOPICS if str(number) in fields}
-    keys = ("real", "automatic", "speed")
-    conditions = {key: fields[key] for key in keys if key in fields}
-    robotware, robot = fields.get("robotware", "?"), fields.get("robot", "?")
-    return Protocol(robotware, robot, answers, **conditions)
+    keys = ("robotware", "robot", "real", "automatic", "speed")
+    texts = {key: fields.get(key, "?") for key in keys}
+    return Protocol(**texts, answers=answers)
 
 
 def arm_of(protocol: Protocol) -> str | None:

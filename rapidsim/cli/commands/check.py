@@ -21,7 +21,7 @@ from rapidsim.cli.options.job_options import (
 from rapidsim.cli.options.numbers import POSITIVE, PROCESSES
 from rapidsim.cli.options.poses import scale_option
 from rapidsim.cli.terminal import Terminal, current_terminal, echo, print_json, terminal_options
-from rapidsim.cli.tools.check_output import FORMATS, SPOKEN_FORMATS, checked_json, checked_text
+from rapidsim.cli.tools.check_output import FORMATS, SPOKEN_FORMATS, checked_text
 from rapidsim.cli.tools.checked_jobs import checked_jobs
 from rapidsim.cli.tools.differences import difference
 from rapidsim.cli.tools.known_findings import (
@@ -41,7 +41,7 @@ from rapidsim.jobs.inputs.task_files import missing_neighbours
 from rapidsim.module_files import single_programs
 from rapidsim.report.findings.checked_moves import coverage_lines
 from rapidsim.report.findings.merging import Finding, errors_first, merged
-from rapidsim.report.findings.statistics import statistics, statistics_json
+from rapidsim.report.findings.statistics import rule_counts, statistics
 from rapidsim.report.findings.text import summary_line
 from rapidsim.values import value_class
 
@@ -287,12 +287,17 @@ def _print_findings(
 ) -> None:
     result = outcome.result
     if options.output_format == "json":
-        report = checked_json(findings, result, is_ok=outcome.is_ok)
-        if options.counted:
-            report["statistics"] = statistics_json(result.diagnostics)
-        if options.diff:
-            report["diff"] = outcome.differences
-        print_json(report)
+        from rapidsim.json_records.encoding import json_of
+        from rapidsim.report.findings.check_report import check_report
+
+        report = check_report(
+            findings,
+            result,
+            is_ok=outcome.is_ok,
+            counts=rule_counts(result.diagnostics) if options.counted else None,
+            differences=outcome.differences if options.diff else None,
+        )
+        print_json(json_of(report))
         return
     if options.counted:
         text = statistics(result.diagnostics, terminal.palette)

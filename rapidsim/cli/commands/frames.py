@@ -18,13 +18,27 @@ from rapidsim.cli.tools.findings_text import findings_text
 from rapidsim.jobs.checking.best_arm import with_best_arm
 from rapidsim.jobs.checking.checked_program import load
 from rapidsim.jobs.inputs.run_request import RunRequest
+from rapidsim.json_records.declarations import OrAbsent, OutputRecord
+from rapidsim.json_records.encoding import json_of
 from rapidsim.language.data import IDENTITY_POSE
 from rapidsim.motion.configurations.targets import pose
+from rapidsim.report.findings.diagnostic_records import DiagnosticRecord, diagnostic_record
 from rapidsim.report.findings.merging import merged
-from rapidsim.report.findings.text import diagnostic_json, summary_line
-from rapidsim.report.tables.frame_text import frame_json, frame_text
+from rapidsim.report.findings.text import summary_line
+from rapidsim.report.tables.frame_text import FrameRecord, frame_record, frame_text
 from rapidsim.report.tables.frame_tree import frame_tree
 from rapidsim.simulation.start_values import start_values
+from rapidsim.values import value_class
+
+
+@value_class(frozen=True, slots=True)
+class FramesReport(OutputRecord):
+    """The object that `rapidsim frames --format json` prints."""
+
+    root: FrameRecord | None
+    """Null if the program has errors."""
+    diagnostics: OrAbsent[tuple[DiagnosticRecord, ...]] = None
+    """Errors of a program without a tree."""
 
 
 @click.command()
@@ -56,8 +70,8 @@ def frames(
     if loaded.program is None:
         findings = merged(loaded.diagnostics)
         if output_format == "json":
-            found = [diagnostic_json(finding) for finding in findings]
-            print_json({"schema": 1, "root": None, "diagnostics": found})
+            found = tuple(map(diagnostic_record, findings))
+            print_json(json_of(FramesReport(None, found)))
         echo(findings_text(findings, terminal), palette=terminal.palette, nl=False, err=True)
         echo(summary_line(findings, files=len(files), seconds=None), err=True)
         return ExitCode.FINDINGS
@@ -66,7 +80,7 @@ def frames(
     stands = IDENTITY_POSE if place is None else pose(place)
     root = frame_tree(loaded.program, start_values(loaded.program), arm.name, stands)
     if output_format == "json":
-        print_json({"schema": 1, "root": frame_json(root)})
+        print_json(json_of(FramesReport(frame_record(root))))
     else:
         terminal.show(frame_text(root))
     return ExitCode.CLEAN

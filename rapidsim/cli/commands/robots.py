@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from math import degrees
-
 import click
 
 from rapidsim.cli.exit_codes import ExitCode
@@ -19,15 +17,21 @@ from rapidsim.cli.terminal import (
     terminal_options,
 )
 from rapidsim.files import InputError
+from rapidsim.json_records.encoding import json_of
 from rapidsim.motion.robot.catalogue import aliases_of, robot_names
-from rapidsim.motion.robot.robot import Robot, load_robot
+from rapidsim.motion.robot.robot import load_robot
 from rapidsim.motion.workspace import workspace_of
 from rapidsim.report.run.summary import OutputFile, files_text
-from rapidsim.report.tables.axis_tables import axis_tables_json, axis_tables_page
+from rapidsim.report.tables.axis_tables import axis_tables_page
+from rapidsim.report.tables.robot_records import (
+    CatalogueReport,
+    axis_tables,
+    robot_page_record,
+    robot_record,
+)
 from rapidsim.report.tables.robot_tables import (
     catalogue_table,
     robot_page,
-    workspace_json,
     workspace_page,
 )
 from rapidsim.values import value_class
@@ -93,10 +97,8 @@ def _show_robot(name: str, options: RobotsOptions) -> ExitCode:
     short = aliases_of(robot.name)
     reached = workspace_of(robot) if options.workspace else None
     if is_json:
-        report = _as_json(robot, short)
-        report |= axis_tables_json(robot) if options.table else {}
-        report |= {} if reached is None else {"workspace": workspace_json(reached)}
-        print_json(report)
+        tables = axis_tables(robot) if options.table else None
+        print_json(json_of(robot_page_record(robot, short, tables, reached)))
     else:
         terminal.show(robot_page(robot, short))
         pages = [axis_tables_page(robot)] if options.table else []
@@ -119,8 +121,8 @@ def _show_catalogue(output_format: str) -> None:
     # Notes on solvers are printed where an arm is used, not in the list.
     listed = [(load_robot(robot), aliases_of(robot)) for robot in robot_names()]
     if output_format == "json":
-        report = [_as_json(robot, short) for robot, short in listed]
-        print_json({"schema": 1, "robots": report})
+        report = CatalogueReport(tuple(robot_record(robot, short) for robot, short in listed))
+        print_json(json_of(report))
     else:
         current_terminal().show(catalogue_table(listed))
 
@@ -146,34 +148,3 @@ def _show_ranking(path: str, output_format: str) -> None:
         print_json(ranking_json(path, targets, ranked))
     else:
         current_terminal().show(ranking_table(targets, ranked))
-
-
-def _as_json(robot: Robot, aliases: tuple[str, ...]) -> dict[str, object]:
-    return {
-        "name": robot.name,
-        "title": robot.title,
-        "maker": robot.maker,
-        "aliases": list(aliases),
-        "payload_kg": robot.payload_kg,
-        "reach_mm": None if robot.reach_m is None else robot.reach_m * 1000.0,
-        "axis_speeds_from": robot.axis_speeds_from,
-        "joints": [
-            {
-                "name": joint.name,
-                "slides": joint.slides,
-                "lower_deg": degrees(joint.lower),
-                "upper_deg": degrees(joint.upper),
-                "max_speed_deg_s": _in_degrees(joint.max_speed),
-                "max_acceleration_deg_s2": _in_degrees(joint.max_acceleration),
-            }
-            for joint in robot.joints
-        ],
-        "sources": list(robot.sources),
-        "checks": list(robot.checks),
-        "notes": list(robot.notes),
-        "not_modelled": list(robot.not_modelled),
-    }
-
-
-def _in_degrees(value: float | None) -> float | None:
-    return None if value is None else degrees(value)

@@ -72,9 +72,7 @@ def judge_assertions(
     """Judge expressions after the run, in the order of the command line."""
     reason = _CUT.get(run.simulation.end)
     if reason is not None:
-        return tuple(
-            AssertionVerdict(one.text, one.task, None, reason=reason) for one in assertions
-        )
+        return tuple(AssertionVerdict(one.text, one.task, None, {}, reason) for one in assertions)
     verdicts: dict[int, AssertionVerdict] = {}
     for name, task in run.tasks.items():
         asked = [(place, one) for place, one in enumerate(assertions) if one.task == name]
@@ -83,7 +81,7 @@ def judge_assertions(
         found = answers(task, [one.question for _, one in asked], figures)
         for (place, one), answer in zip(asked, found, strict=True):
             verdicts[place] = AssertionVerdict(
-                one.text, name, answer.holds, answer.values, answer.error
+                one.text, name, answer.holds, dict(answer.values), answer.error
             )
     return tuple(verdicts[place] for place in range(len(assertions)))
 
@@ -102,8 +100,9 @@ def judge_budget(
     elif end is End.STOPPED and (cycles > 1 or time_s <= budget_s):
         reason = "the program stopped itself before the end of its cycle"
     if reason is not None:
-        return BudgetVerdict(budget_s, cycles, model, reason=reason)
-    return BudgetVerdict(budget_s, cycles, model, time_s / cycles)
+        return BudgetVerdict(budget_s, None, cycles, model, None, reason)
+    cycle_s = time_s / cycles
+    return BudgetVerdict(budget_s, cycle_s, cycles, model, cycle_s <= budget_s, None)
 
 
 def _read(text: str, programs: Mapping[str, Program], io: CellIo, terminal: Terminal) -> Assertion:

@@ -10,7 +10,7 @@ from rapidsim.cli.terminal import Terminal
 from rapidsim.cli.tools.findings_text import findings_text
 from rapidsim.jobs.checking.check_result import CheckResult
 from rapidsim.report.findings.merging import Finding
-from rapidsim.report.findings.text import concise, diagnostic_json
+from rapidsim.report.findings.text import concise
 
 FORMATS = ("full", "concise", "json", "sarif", "github", "junit")
 SPOKEN_FORMATS = ("full", "concise")
@@ -52,44 +52,11 @@ def checked_text(
 
             return junit(findings, result.files)
         case _:
-            return _json(checked_json(findings, result, is_ok=is_ok))
+            from rapidsim.json_records.encoding import json_of
+            from rapidsim.report.findings.check_report import check_report
+
+            return _json(json_of(check_report(findings, result, is_ok=is_ok)))
 
 
 def _json(value: object) -> str:
     return f"{json.dumps(value, indent=2, allow_nan=False)}\n"
-
-
-def checked_json(
-    findings: Sequence[Finding], result: CheckResult, *, is_ok: bool
-) -> dict[str, object]:
-    """The findings as JSON values.
-
-    Args:
-        findings: What is shown.
-        result: What was checked.
-        is_ok: Whether nothing fails the check.
-    """
-    coverage = result.coverage
-    unchecked, unchecked_paths = (
-        [{"file": move.span.file, "line": move.span.line, "reason": move.reason} for move in moves]
-        for moves in (coverage.unchecked, coverage.unchecked_paths)
-    )
-    left_out = {"main_left_out": coverage.main_left_out} if coverage.main_left_out else {}
-    return {
-        "schema": 1,
-        "ok": is_ok,
-        "qualifications": list(result.qualifications),
-        "files": len(result.files),
-        "diagnostics": [diagnostic_json(finding) for finding in findings],
-        "coverage": {
-            "moves": coverage.moves,
-            "checked": coverage.checked,
-            "by_value": coverage.by_value,
-            "by_run": coverage.by_run,
-            "unchecked": unchecked,
-            **left_out,
-            "paths": coverage.paths,
-            "paths_checked": coverage.paths_checked,
-            "unchecked_paths": unchecked_paths,
-        },
-    }

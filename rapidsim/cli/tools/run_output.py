@@ -5,7 +5,7 @@ from __future__ import annotations
 import sys
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from rapidsim.cli.options.outputs import VALUES
 from rapidsim.cli.terminal import Terminal, echo, print_json
@@ -14,11 +14,12 @@ from rapidsim.diagnostics import Diagnostic, Severity
 from rapidsim.jobs.inputs.robot_choice import RobotChoice
 from rapidsim.jobs.inputs.task_files import missing_neighbours
 from rapidsim.jobs.running.run_files import LoadedJob
+from rapidsim.json_records.encoding import json_of
 from rapidsim.report.findings.merging import errors_first, merged
 from rapidsim.report.findings.source_frame import printable
 from rapidsim.report.findings.text import summary_line
 from rapidsim.report.run.figures import Figures
-from rapidsim.report.run.json_report import rejected_json, run_json
+from rapidsim.report.run.json_report import RunFiles, rejected_report, run_json
 from rapidsim.report.run.summary import ASCII_BARS, BLOCK_BARS, OutputFile, summary
 from rapidsim.report.run.verdicts import Verdicts
 from rapidsim.simulation.results.simulation import Simulation
@@ -40,7 +41,7 @@ def print_rejected(
     files = loaded.job.files
     if output_format == "json":
         names = [file.name for file in files]
-        print_json(rejected_json(names, loaded.robot.name, findings))
+        print_json(json_of(rejected_report(names, loaded.robot.name, findings)))
     elif output_format == "table":
         _print_findings(findings, terminal)
         if not terminal.quiet:
@@ -84,10 +85,10 @@ def print_run(
     _print_judgement(done.judgement, output_format, terminal)
 
 
-def _json_files(written: Sequence[OutputFile]) -> dict[str, object]:
-    files: dict[str, object] = {one.what: str(one.path) for one in written if one.what != VALUES}
-    program = [str(one.path) for one in written if one.what == VALUES]
-    return {**files, "program": program} if program else files
+def _json_files(written: Sequence[OutputFile]) -> RunFiles:
+    program = tuple(str(one.path) for one in written if one.what == VALUES)
+    files: dict[str, Any] = {one.what: str(one.path) for one in written if one.what != VALUES}
+    return RunFiles(**files, program=program or None)
 
 
 def _print_findings(findings: Sequence[Diagnostic], terminal: Terminal) -> None:

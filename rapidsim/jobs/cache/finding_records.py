@@ -10,9 +10,11 @@ from collections.abc import Iterable, Mapping, Sequence
 from importlib import import_module
 from typing import Any
 
-from rapidsim.diagnostics import Diagnostic, Edit, Fix, Related, Source, Span, Violation
+from rapidsim.diagnostics import Diagnostic, Source, Span, Violation
 from rapidsim.jobs.inputs.robot_choice import RobotChoice
-from rapidsim.reach.checked_moves import Coverage, UncheckedMove
+from rapidsim.json_records.encoding import RecordEncoder
+from rapidsim.json_records.reading import RecordReader
+from rapidsim.reach.checked_moves import Coverage
 from rapidsim.values import value_class
 
 Record = list[Any]
@@ -46,49 +48,25 @@ def record_of(stored: StoredFindings, sources: Iterable[Source]) -> Record:
         sources: Texts that the record may omit; others are included.
     """
     places = _Places({one.file: one.text for one in sources})
-    coverage = stored.coverage
-    diagnostics = [_diagnostic_record(one, places) for one in stored.diagnostics]
-    unchecked, unchecked_paths = (
-        [[places.of(one.span), one.reason] for one in moves]
-        for moves in (coverage.unchecked, coverage.unchecked_paths)
-    )
-    counts = [coverage.by_value, coverage.by_run, unchecked, coverage.main_left_out]
-    counts += [coverage.paths, unchecked_paths]
-    arm = None if stored.arm is None else [stored.arm.name, stored.arm.reason, stored.arm.scale]
-    return [places.texts, diagnostics, counts, list(stored.notices), stored.lasts, arm]
+    convert = RecordEncoder({Span: places.of, Violation: _violation_record})
+    findings = convert(stored)
+    return [places.texts, findings]
 
 
-def read_findings(record: object, sources: Iterable[Source]) -> StoredFindings:
+def read_findings(record: Any, sources: Iterable[Source]) -> StoredFindings:
     """Convert a record to findings, with positions in the sources.
 
     Raises:
         NoRecordError: If it is not a record, or was made of other files.
     """
+    known = {one.file: one for one in sources}
     try:
-        return _found_in(record, {one.file: one for one in sources})
+        texts, findings = record
+        files = [known[name] if text is None else Source(name, text) for name, text in texts]
+        convert = RecordReader({Span: lambda place: _span(files, place), Violation: _violation})
+        return convert(StoredFindings, findings)
     except (AttributeError, ImportError, IndexError, KeyError, TypeError, ValueError) as error:
         raise NoRecordError(str(error)) from error
-
-
-def _found_in(record: Any, known: Mapping[str, Source]) -> StoredFindings:
-    texts, diagnostics, counts, notices, lasts, arm = record
-    by_value, by_run, unchecked, left_out, paths, unchecked_paths = counts
-    sources = [known[name] if text is None else Source(name, text) for name, text in texts]
-    spans = _Spans(sources)
-    return StoredFindings(
-        tuple(_diagnostic(one, spans) for one in diagnostics),
-        Coverage(
-            by_value,
-            by_run,
-            tuple(UncheckedMove(spans.at(place), reason) for place, reason in unchecked),
-            left_out,
-            paths,
-            tuple(UncheckedMove(spans.at(place), reason) for place, reason in unchecked_paths),
-        ),
-        tuple(notices),
-        lasts,
-        None if arm is None else RobotChoice(*arm),
-    )
 
 
 class _Places:
@@ -110,39 +88,9 @@ class _Places:
         return number, span.start, span.end
 
 
-class _Spans:
-    """Numbers as spans, with one source object per file."""
-
-    def __init__(self, sources: Sequence[Source]) -> None:
-        self._sources = sources
-
-    def at(self, place: Sequence[int]) -> Span:
-        number, start, end = place
-        return Span(self._sources[number], start, end)
-
-
-def _diagnostic_record(finding: Diagnostic, places: _Places) -> Record:
-    fix = finding.fix
-    return [
-        _violation_record(finding.violation),
-        finding.span and places.of(finding.span),
-        [[places.of(related.span), related.message] for related in finding.related],
-        fix and [fix.title, [[places.of(edit.span), edit.text] for edit in fix.edits], fix.safe],
-        finding.routine,
-        finding.assumed,
-    ]
-
-
-def _diagnostic(record: Any, spans: _Spans) -> Diagnostic:
-    violation, place, related, fix, routine, assumed = record
-    return Diagnostic(
-        _violation(violation),
-        place and spans.at(place),
-        tuple(Related(spans.at(at), message) for at, message in related),
-        fix and Fix(fix[0], tuple(Edit(spans.at(at), text) for at, text in fix[1]), fix[2]),
-        routine,
-        assumed,
-    )
+def _span(sources: Sequence[Source], place: Sequence[int]) -> Span:
+    number, start, end = place
+    return Span(sources[number], start, end)
 
 
 def _violation_record(violation: Violation) -> Record:

@@ -13,6 +13,8 @@ from pathlib import Path
 
 from rapidsim.diagnostics import Diagnostic
 from rapidsim.files import InputError, input_text
+from rapidsim.json_records.encoding import json_of
+from rapidsim.json_records.reading import read
 from rapidsim.values import value_class
 
 _SCHEMA = 1
@@ -22,6 +24,25 @@ _FIRST_MODEL = "1"
 """Motion model of baselines that name none."""
 Key = tuple[str, str, str]
 """Code, routine, statement."""
+
+
+@value_class(frozen=True, slots=True)
+class KnownFinding:
+    """Equal findings in the file of a baseline."""
+
+    code: str
+    routine: str
+    statement: str
+    count: int
+
+
+@value_class(frozen=True, slots=True)
+class BaselineFile:
+    """The file of a baseline."""
+
+    schema: int
+    findings: tuple[KnownFinding, ...]
+    motion_model: str = _FIRST_MODEL
 
 
 @value_class(frozen=True, slots=True)
@@ -55,7 +76,7 @@ def baseline_text(diagnostics: Iterable[Diagnostic], motion_model: str) -> str:
     """Return a baseline of findings, as JSON with readable diffs."""
     counts = Counter(finding_key(diagnostic) for diagnostic in diagnostics)
     rows = [
-        {"code": code, "routine": routine, "statement": statement, "count": count}
+        json_of(KnownFinding(code, routine, statement, count))
         for (code, routine, statement), count in sorted(counts.items())
     ]
     lines = ",\n".join(f"    {json.dumps(row, ensure_ascii=False)}" for row in rows)
@@ -72,16 +93,12 @@ def read_baseline(file: Path) -> Baseline:
     if not file.exists():
         raise InputError(f"the baseline {file} does not exist", "`--update-baseline` writes it")
     try:
-        table = json.loads(input_text(file))
-        if table["schema"] != _SCHEMA:
+        known = read(BaselineFile, json.loads(input_text(file)))
+        if known.schema != _SCHEMA:
             raise InputError(f"{file} is a baseline of another version of rapidsim")
-        rows = table["findings"]
-        known = {
-            (str(row["code"]), str(row["routine"]), str(row["statement"])): int(row["count"])
-            for row in rows
-        }
-        return Baseline(Counter(known), str(table.get("motion_model", _FIRST_MODEL)))
-    except (ValueError, KeyError, TypeError, OverflowError, RecursionError) as error:
+        counts = {(one.code, one.routine, one.statement): one.count for one in known.findings}
+        return Baseline(Counter(counts), known.motion_model)
+    except (ValueError, RecursionError) as error:
         reason = "it is nested too deeply" if isinstance(error, RecursionError) else error
         help = "remove it, and `rapidsim check --baseline` writes a new one"
         raise InputError(f"{file} is not a baseline of rapidsim: {reason}", help) from error

@@ -5,32 +5,36 @@ The only module besides `configurations/targets.py` that converts a program's un
 
 from __future__ import annotations
 
+from typing import Annotated, TypeAlias
+
 import numpy as np
 
 from rapidsim.frames.transform import Array, Transform, matrix_from_quaternion
+from rapidsim.json_records.declarations import ValueForm
 from rapidsim.values import value_class
 
 MM = 1e-3
 _LEAST_NORM = 1e-6
+_Part: TypeAlias = Annotated[tuple[float, ...], ValueForm.OPTIONAL]
 
 
 @value_class(frozen=True, slots=True)
 class SensorAnswer:
     """Last message of a sensor; missing parts are empty."""
 
-    joints: tuple[float, ...] = ()
+    joints: _Part = ()
     """Goal of the arm's axes, followed by the external axes [deg]."""
-    position: tuple[float, ...] = ()
+    position: _Part = ()
     """Goal of the TCP, x, y, z [mm]."""
-    orientation: tuple[float, ...] = ()
+    orientation: _Part = ()
     """Goal of the TCP, q1..q4."""
-    joint_speed: tuple[float, ...] = ()
+    joint_speed: _Part = ()
     """[deg/s]"""
-    tcp_speed: tuple[float, ...] = ()
+    tcp_speed: _Part = ()
     """x, y, z [mm/s], rx, ry, rz [deg/s]."""
-    correction: tuple[float, ...] = ()
+    correction: _Part = ()
     """Requested offset of the TCP from its path: x, y, z of path coordinates [mm]."""
-    values: tuple[float, ...] = ()
+    values: _Part = ()
     r"""For \DataFromSensor."""
 
 

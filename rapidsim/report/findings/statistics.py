@@ -14,7 +14,8 @@ from rapidsim.values import value_class
 class RuleCount:
     """Count of the violations of one rule."""
 
-    rule: Rule
+    code: str
+    name: str
     count: int
     fixable: int
     """Number of the violations that have a fix."""
@@ -26,7 +27,7 @@ def rule_counts(diagnostics: Iterable[Diagnostic]) -> tuple[RuleCount, ...]:
     counts = Counter(one.violation.rule for one in diagnostics)
     fixable = Counter(one.violation.rule for one in diagnostics if one.fix is not None)
     rows = sorted(counts.items(), key=lambda row: (-row[1], row[0].code))
-    return tuple(RuleCount(rule, count, fixable[rule]) for rule, count in rows)
+    return tuple(RuleCount(rule.code, rule.name, count, fixable[rule]) for rule, count in rows)
 
 
 def statistics(diagnostics: Iterable[Diagnostic], palette: Palette) -> str:
@@ -34,20 +35,7 @@ def statistics(diagnostics: Iterable[Diagnostic], palette: Palette) -> str:
     rows = rule_counts(diagnostics)
     widest = len(str(max((row.count for row in rows), default=0)))
     return "".join(
-        f"{row.count:>{widest}}  {palette.paint(row.rule.code, palette.of(row.rule.severity))} "
-        f"{row.rule.name}{f'  ({row.fixable} with a fix)' if row.fixable else ''}\n"
+        f"{row.count:>{widest}}  {palette.paint(row.code, palette.of(Rule(row.code).severity))} "
+        f"{row.name}{f'  ({row.fixable} with a fix)' if row.fixable else ''}\n"
         for row in rows
     )
-
-
-def statistics_json(diagnostics: Iterable[Diagnostic]) -> list[dict[str, object]]:
-    """The counts by rule as JSON values."""
-    return [
-        {
-            "code": row.rule.code,
-            "name": row.rule.name,
-            "count": row.count,
-            "fixable": row.fixable,
-        }
-        for row in rule_counts(diagnostics)
-    ]

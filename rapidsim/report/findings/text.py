@@ -1,4 +1,4 @@
-"""Findings as text with source frames, as one line each, and as JSON values."""
+"""Findings as text with source frames, and as one line each."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ import textwrap
 from collections import Counter
 from collections.abc import Sequence
 
-from rapidsim.diagnostics import Diagnostic, Edit, Fix, Severity, Span
+from rapidsim.diagnostics import Diagnostic, Fix, Severity, Span
 from rapidsim.report.findings.merging import Finding
 from rapidsim.report.findings.source_frame import printable, source_frame
 from rapidsim.report.palette import Palette
@@ -58,32 +58,6 @@ def summary_line(
     )
     took = "" if seconds is None else f" ({seconds:.2f} s)"
     return f"{found} in {_counted(files, 'file')}{took}."
-
-
-def diagnostic_json(finding: Finding) -> dict[str, object]:
-    """A finding as JSON values; `repeats` holds the places of the findings merged into it."""
-    diagnostic = finding.first
-    violation = diagnostic.violation
-    return {
-        "code": violation.code,
-        "name": violation.name,
-        "severity": diagnostic.severity.value,
-        "message": violation.message,
-        **_span_json(diagnostic.span),
-        "related": [
-            {"file": related.span.file, "line": related.span.line, "message": related.message}
-            for related in diagnostic.related
-        ],
-        "fix": _fix_json(diagnostic.fix) if diagnostic.fix else None,
-        "cf": violation.cf,
-        "help": violation.help,
-        "routine": diagnostic.routine,
-        "repeats": [
-            {"file": repeat.span.file, "line": repeat.span.line, "column": repeat.span.column}
-            for repeat in finding.repeats
-            if repeat.span
-        ],
-    }
 
 
 def _full(finding: Finding, palette: Palette, width: int, headlines: int | None) -> str:
@@ -200,23 +174,5 @@ def _listed(parts: Sequence[str]) -> str:
     return " and ".join([", ".join(parts[:-1]), parts[-1]] if len(parts) > 1 else parts)
 
 
-def _span_json(span: Span | None) -> dict[str, object]:
-    return {
-        "file": span.file if span else None,
-        "line": span.line if span else None,
-        "column": span.column if span else None,
-        "end_line": span.end_line if span else None,
-        "end_column": span.end_column if span else None,
-    }
-
-
 def _fix_title(fix: Fix) -> str:
     return fix.title if fix.safe else f"{fix.title} (with --unsafe-fixes)"
-
-
-def _fix_json(fix: Fix) -> dict[str, object]:
-    return {"title": fix.title, "safe": fix.safe, "edits": [_edit_json(edit) for edit in fix.edits]}
-
-
-def _edit_json(edit: Edit) -> dict[str, object]:
-    return {**_span_json(edit.span), "text": edit.text}

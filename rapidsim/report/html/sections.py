@@ -9,13 +9,14 @@ from pathlib import Path
 from rapidsim.controller.journal.events import Event, EventKind
 from rapidsim.controller.moves.executed_move import CornerKind, ExecutedMove
 from rapidsim.diagnostics import Diagnostic, Severity
+from rapidsim.json_records.encoding import json_of
 from rapidsim.motion.robot.external_axes import with_unit
 from rapidsim.report.findings.merging import Finding, errors_first, merged
 from rapidsim.report.html.collision_section import collision_tile
 from rapidsim.report.html.elements import bar, prose, section, table, text, tile
 from rapidsim.report.run.figures import Figures
-from rapidsim.report.run.json_report import models, of_robots
 from rapidsim.report.run.long_programs import lines_of
+from rapidsim.report.run.run_models import models, of_robots
 from rapidsim.simulation.results.curve_deviations import CurveDeviation, all_curve_deviations
 from rapidsim.simulation.results.regions import Region, by_comment
 from rapidsim.simulation.results.simulation import Simulation
@@ -301,7 +302,7 @@ def assumptions(simulation: Simulation) -> str:
     }
     facts = [
         (text(named.get(name, name)), text(_rounded(value)))
-        for name, value in models(simulation).items()
+        for name, value in json_of(models(simulation)).items()
         if name != "robot_not_modelled"
     ]
     not_modelled = of_robots(simulation, lambda robot: robot.not_modelled)

@@ -6,6 +6,7 @@ import numpy as np
 
 from rapidsim.collisions.contact import Clearance, Contact
 from rapidsim.frames.transform import Array, Transform
+from rapidsim.json_records.declarations import Rounded
 from rapidsim.report.run.records import PoseRecord
 from rapidsim.simulation.results.simulation import Simulation
 from rapidsim.values import value_class
@@ -17,7 +18,7 @@ _MM = 1000.0
 class ContactRecord:
     """Two bodies touched."""
 
-    time_s: float
+    time_s: Rounded
     first: str
     second: str
     task: str
@@ -27,9 +28,9 @@ class ContactRecord:
     file: str | None
     line: int | None
     routine: str | None
-    point_mm: tuple[float, ...]
+    point_mm: tuple[Rounded, ...]
     """Position in the world."""
-    depth_mm: float | None
+    depth_mm: Rounded | None
     """Greatest penetration depth during the move; None after many contacts."""
     continued: bool
     """Whether they touched when the move began."""
@@ -41,8 +42,8 @@ class ContactRecord:
 class ClearanceRecord:
     """Least distance of bodies in one move."""
 
-    distance_mm: float
-    time_s: float
+    distance_mm: Rounded
+    time_s: Rounded
     first: str
     second: str
     task: str
@@ -50,8 +51,36 @@ class ClearanceRecord:
     file: str | None
     line: int | None
     routine: str | None
-    point_mm: tuple[float, ...]
+    point_mm: tuple[Rounded, ...]
     """Position in the world, on the second body."""
+
+
+@value_class(frozen=True, slots=True)
+class RunCollisions:
+    """Contacts and clearances of a run; absent if the station has no bodies."""
+
+    collisions: tuple[ContactRecord, ...]
+    """Contacts in order of time."""
+    clearance_mm: Rounded | None
+    """Least clearance of the run; null if no body came near."""
+    clearances: tuple[ClearanceRecord, ...]
+    """Least clearance of each move with a body nearby, the worst first."""
+    not_judged: tuple[str, ...]
+    """Parts of the cell without a search for contacts."""
+
+
+def run_collisions(simulation: Simulation) -> RunCollisions | None:
+    """Contacts and least clearances; None if the station has no bodies."""
+    collisions = simulation.collisions
+    if collisions is None:
+        return None
+    nearest = collisions.nearest
+    return RunCollisions(
+        contact_records(simulation),
+        None if nearest is None else nearest.distance_m * _MM,
+        clearance_records(simulation),
+        tuple(collisions.remarks),
+    )
 
 
 def contact_records(simulation: Simulation) -> tuple[ContactRecord, ...]:

@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 from pathlib import Path
+from typing import Annotated
 
+from rapidsim.json_records.declarations import Rounded
 from rapidsim.language.error_answers import ErrorOutcome, answer_words, shown_name
 from rapidsim.simulation.results.simulation import Simulation
 from rapidsim.values import value_class
@@ -16,10 +18,10 @@ _MOST_WORDS = 8
 class ErrorRecord:
     """Errors of one number, raised at one place and handled alike by one ERROR clause."""
 
-    time_s: float
+    time_s: Rounded
     """Time of the first error."""
     task: str
-    number: float
+    number: Rounded
     """ERRNO."""
     name: str
     """The name of the number; the number as text if it has none."""
@@ -29,10 +31,10 @@ class ErrorRecord:
     routine: str
     answered_by: str | None
     """The routine whose ERROR clause answered; None if none did."""
-    outcome: str
+    outcome: Annotated[str, ErrorOutcome]
     """`retried`, `next`, `returned`, `raised`, `fell through` or `ended the program`."""
     count: int
-    last_s: float
+    last_s: Rounded
     """Time of the last error."""
     message: str
     """Message of the first error."""

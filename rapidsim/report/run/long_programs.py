@@ -2,19 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from pathlib import Path
 
 from rich.console import Group, RenderableType
 from rich.table import Table
 from rich.text import Text
 
+from rapidsim.json_records.declarations import Rounded
 from rapidsim.report.findings.source_frame import printable
-from rapidsim.report.run.records import number
 from rapidsim.report.untruncated_table import UntruncatedTable
 from rapidsim.simulation.results.regions import Region, by_comment
 from rapidsim.simulation.results.simulation import Simulation
 from rapidsim.simulation.results.slow_sections import SlowSection, slow_sections
+from rapidsim.values import value_class
 
 MANY_MOVES = 1000
 """Number of moves from which single lines are not informative."""
@@ -61,41 +61,73 @@ def lines_of(section: SlowSection) -> str:
     return name if first.line == last.line else f"{name}-{last.line}"
 
 
-def slow_sections_json(stretches: Sequence[SlowSection]) -> list[dict[str, object]]:
-    """The slow sections as JSON values."""
-    return [
-        {
-            "task": one.task,
-            "file": one.first.place.span.file,
-            "line": one.first.place.span.line,
-            "last_file": one.last.place.span.file,
-            "last_line": one.last.place.span.line,
-            "moves": one.moves,
-            "start_s": number(one.start_s),
-            "end_s": number(one.end_s),
-            "lost_s": number(one.lost_s),
-            "programmed_mm_s": number(one.programmed_mm_s),
-            "mean_mm_s": number(one.reached_mm_s),
-            "limit": one.limit,
-        }
-        for one in stretches
-    ]
+@value_class(frozen=True, slots=True)
+class SlowSectionRecord:
+    """A section of a robot's motion below the programmed speed."""
+
+    task: str
+    file: str
+    line: int
+    last_file: str
+    last_line: int
+    moves: int
+    """Number of moves in the section."""
+    start_s: Rounded
+    end_s: Rounded
+    lost_s: Rounded
+    """Time that would be saved at the programmed speed."""
+    programmed_mm_s: Rounded | None
+    """Highest programmed speed in the section."""
+    mean_mm_s: Rounded
+    limit: str
+    """Active limit, such as `acceleration of axis 2`."""
 
 
-def regions_json(regions: Sequence[Region]) -> list[dict[str, object]]:
-    """The parts that comments head, as JSON values."""
-    return [
-        {
-            "task": one.task,
-            "file": one.file,
-            "line": one.line,
-            "routine": one.routine,
-            "comment": one.comment,
-            "steps": one.steps,
-            "time_s": number(one.seconds),
-        }
-        for one in regions
-    ]
+@value_class(frozen=True, slots=True)
+class RegionRecord:
+    """Statements after a comment on its own lines."""
+
+    task: str
+    file: str
+    line: int
+    """Line of the comment."""
+    routine: str
+    comment: str
+    steps: int
+    """Number of moves and waits that were executed."""
+    time_s: Rounded
+
+
+def slow_section_record(section: SlowSection) -> SlowSectionRecord:
+    """The record of a slow section."""
+    first, last = section.first.place.span, section.last.place.span
+    return SlowSectionRecord(
+        task=section.task,
+        file=first.file,
+        line=first.line,
+        last_file=last.file,
+        last_line=last.line,
+        moves=section.moves,
+        start_s=section.start_s,
+        end_s=section.end_s,
+        lost_s=section.lost_s,
+        programmed_mm_s=section.programmed_mm_s,
+        mean_mm_s=section.reached_mm_s,
+        limit=section.limit,
+    )
+
+
+def region_record(region: Region) -> RegionRecord:
+    """The record of a region."""
+    return RegionRecord(
+        region.task,
+        region.file,
+        region.line,
+        region.routine,
+        region.comment,
+        region.steps,
+        region.seconds,
+    )
 
 
 def _table(*names: str) -> Table:

@@ -1,22 +1,21 @@
 """Moves and waits of a run as records in mm, degrees and seconds: of the JSON, and of Python.
 
-Field by field they are what `rapidsim run --format json` prints; there numbers are rounded and what
-is not finite is null.
+Field by field they are what `rapidsim run --format json` prints; there numbers are rounded, and
+infinite ones null.
 """
 
 from __future__ import annotations
 
-import math
 from collections.abc import Mapping, Sequence
-from dataclasses import fields, is_dataclass
+from typing import Annotated
 
 import numpy as np
 
 from rapidsim.controller.journal.events import Wait
-from rapidsim.controller.moves.executed_move import ExecutedMove
+from rapidsim.controller.moves.executed_move import CornerKind, ExecutedMove
+from rapidsim.json_records.declarations import Key, OrAbsent, Rounded
 from rapidsim.motion.robot.external_axes import ExternalAxis
 from rapidsim.simulation.results.curve_deviations import CurveDeviation, all_curve_deviations
-from rapidsim.simulation.results.event_values import written
 from rapidsim.simulation.results.simulation import Simulation
 from rapidsim.simulation.results.time_shares import argument, instruction_of
 from rapidsim.values import value_class
@@ -26,8 +25,8 @@ from rapidsim.values import value_class
 class PoseRecord:
     """A pose."""
 
-    position_mm: tuple[float, ...]
-    quaternion: tuple[float, ...]
+    position_mm: tuple[Rounded, ...]
+    quaternion: tuple[Rounded, ...]
     """Scalar first."""
     frame: str
     """Frame of the pose; `base` is the base frame of the robot."""
@@ -37,8 +36,8 @@ class PoseRecord:
 class DeviationRecord:
     """Greatest path deviation of the TCP from a line or arc between its zones."""
 
-    max_mm: float
-    rms_mm: float
+    max_mm: Rounded
+    rms_mm: Rounded
 
 
 @value_class(frozen=True, slots=True, repr=False)
@@ -55,24 +54,24 @@ class MoveRecord:
     """The target as the program writes it."""
     tool: str | None
     wobj: str
-    speed_mm_s: float
-    zone_mm: float
+    speed_mm_s: Rounded
+    zone_mm: Rounded
     """That was used; 0 for a stop."""
-    start_s: float
-    end_s: float
-    length_mm: float
+    start_s: Rounded
+    end_s: Rounded
+    length_mm: Rounded
     """Along the programmed path, before corners are cut."""
     deviation: DeviationRecord | None
     """None for joint moves."""
-    corner: str
+    corner: Annotated[str, CornerKind]
     """`fly-by`, `stop` or `stop(corner path failure)`."""
     corner_reason: str
     """Why the zone is not the programmed one, or why the arm stops; empty where it is."""
     target: PoseRecord
-    joints_deg: tuple[float, ...]
+    joints_deg: tuple[Rounded, ...]
     conf: tuple[int, ...]
     """cf1, cf4, cf6, cfx."""
-    external: Mapping[str, float] | None = None
+    external: OrAbsent[Mapping[str, Rounded]] = None
     """External axes by component [mm or degrees]; None if there are no external axes."""
 
     def __repr__(self) -> str:
@@ -89,10 +88,10 @@ class WaitRecord:
     line: int
     routine: str
     instruction: str
-    awaited: str
+    awaited: Annotated[str, Key("for")]
     """Condition of the wait as the program writes it; `for` in the JSON."""
-    start_s: float
-    end_s: float
+    start_s: Rounded
+    end_s: Rounded
     ended_by: str
     """Why it ended, and what caused that."""
 
@@ -114,31 +113,6 @@ def move_records(simulation: Simulation) -> tuple[MoveRecord, ...]:
 def wait_records(simulation: Simulation) -> tuple[WaitRecord, ...]:
     """The waits of all tasks in order of their starts."""
     return tuple(map(_wait, simulation.waits))
-
-
-def json_of(record: object) -> object:
-    """A record as JSON values; fields that are None by default are omitted if None."""
-    if is_dataclass(record):
-        return {
-            "for" if field.name == "awaited" else field.name: json_of(value)
-            for field in fields(record)
-            if (value := getattr(record, field.name)) is not None or field.default is not None
-        }
-    match record:
-        case float():
-            return number(record)
-        case tuple():
-            return [json_of(part) for part in record]
-        case dict():
-            return {key: json_of(part) for key, part in record.items()}
-        case _:
-            return record
-
-
-def number(value: float | np.floating[np.typing.NBitBase]) -> float | None:
-    """A finite number; JSON has no others, so they become null."""
-    plain = float(value)
-    return written(plain) if math.isfinite(plain) else None
 
 
 def _move(

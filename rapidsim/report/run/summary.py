@@ -25,8 +25,8 @@ from rapidsim.report.findings.source_frame import printable
 from rapidsim.report.run.collision_records import clearance_records, contact_records
 from rapidsim.report.run.error_records import errors_text
 from rapidsim.report.run.figures import Figures, JointMargin, OffPath, SingularityMargin
-from rapidsim.report.run.json_report import models, of_robots
 from rapidsim.report.run.long_programs import long_program_text
+from rapidsim.report.run.run_models import models, of_robots
 from rapidsim.report.unbreakable_units import UnbreakableUnits
 from rapidsim.report.untruncated_table import UntruncatedTable
 from rapidsim.simulation.results.collisions import Collisions
@@ -386,19 +386,19 @@ def _models(simulation: Simulation, figures: Figures) -> Text:
         f"{other.time_s:.3f} s with {other.words}" for other in figures.sensitivity
     )
     behind = models(simulation)
-    speeds = f"{behind['axis_speed']}; " if "axis_speed" in behind else ""
-    smoothed = "each axis" if behind["smoothing"] == "axes" else "command"
-    ramps = f"; {behind['ramp']}" if "ramp" in behind else ""
-    load = f"; {behind['payload']}" if "payload" in behind else ""
-    real = ", real arm" if behind["controller"] == "real" else ""
+    speeds = f"{behind.axis_speed}; " if behind.axis_speed else ""
+    smoothed = "each axis" if behind.smoothing == "axes" else "command"
+    ramps = f"; {behind.ramp}" if behind.ramp else ""
+    load = f"; {behind.payload}" if behind.payload else ""
+    real = ", real arm" if behind.controller == "real" else ""
     not_modelled = of_robots(simulation, lambda robot: robot.not_modelled)
     left_out = "".join(f" Not modelled: {what}." for what in not_modelled)
     return Text(
-        f"Models: motion model {behind['motion']}{real}; {speeds}"
-        f"{behind['acceleration']}{load}; corner shape {behind['corner']}; "
-        f"{smoothed} smoothed over {behind['filter_time_s']:.4g} s{ramps}; "
-        f"dwell {behind['fine_dwell_s']:.4g} s at fine points; "
-        f"the program pointer {behind['program_pointer']}.{left_out}"
+        f"Models: motion model {behind.motion}{real}; {speeds}"
+        f"{behind.acceleration}{load}; corner shape {behind.corner}; "
+        f"{smoothed} smoothed over {behind.filter_time_s:.4g} s{ramps}; "
+        f"dwell {behind.fine_dwell_s:.4g} s at fine points; "
+        f"the program pointer {behind.program_pointer}.{left_out}"
         f"{f' The run takes {others}.' if others else ''}",
         "dim",
     )

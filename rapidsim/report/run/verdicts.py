@@ -1,6 +1,8 @@
-"""Verdicts on the assertions and the cycle budget of a run, as text and as JSON values."""
+"""Verdicts on the assertions and the cycle budget of a run, as text and as records of JSON."""
 
 from __future__ import annotations
+
+from collections.abc import Mapping
 
 from rapidsim.simulation.results.simulation import Simulation
 from rapidsim.simulation.results.verdict import Verdict, run_verdict
@@ -16,9 +18,9 @@ class AssertionVerdict:
     """Task whose data the assertion names."""
     holds: bool | None
     """None where it was not judged."""
-    values: tuple[tuple[str, str], ...] = ()
-    """Text and value of the data and calls in it."""
-    reason: str | None = None
+    values: Mapping[str, str]
+    """Values of the data and calls in it, by their text."""
+    reason: str | None
     """Why it was not judged or could not be evaluated."""
 
     @property
@@ -28,20 +30,12 @@ class AssertionVerdict:
             return f"assertion not evaluated: {self.expression}, {self.reason}"
         if self.holds:
             return f"assertion holds: {self.expression}"
-        parts = [f"{text} is {value}" for text, value in self.values if text != self.expression]
+        parts = [
+            f"{text} is {value}" for text, value in self.values.items() if text != self.expression
+        ]
         if self.reason is not None:
             parts.insert(0, self.reason)
         return ", ".join([f"assertion failed: {self.expression}", *parts])
-
-    def as_json(self) -> dict[str, object]:
-        """The values of the JSON report."""
-        return {
-            "expression": self.expression,
-            "task": self.task,
-            "holds": self.holds,
-            "values": dict(self.values),
-            "reason": self.reason,
-        }
 
 
 @value_class(frozen=True, slots=True)
@@ -49,18 +43,15 @@ class BudgetVerdict:
     """Verdict on the cycle budget of the station file."""
 
     budget_s: float
-    cycles: int
-    model: str
-    """Version of the motion model: times of another are not comparable."""
-    cycle_s: float | None = None
+    cycle_s: float | None
     """Mean cycle time; None if the run has no full cycle."""
-    reason: str | None = None
-    """Why it does not."""
-
-    @property
-    def holds(self) -> bool | None:
-        """None where it was not judged."""
-        return None if self.cycle_s is None else self.cycle_s <= self.budget_s
+    cycles: int
+    motion_model: str
+    """Version of the motion model: times of another are not comparable."""
+    holds: bool | None
+    """None where it was not judged."""
+    reason: str | None
+    """Why the run has no full cycle."""
 
     @property
     def text(self) -> str:
@@ -75,18 +66,9 @@ class BudgetVerdict:
             return f"cycle budget kept: {took}; {budget}"
         # A cycle may be over by less than the digits of its time show.
         over = f"{self.cycle_s - self.budget_s:.3g} s over it"
-        return f"cycle budget failed: {took} with motion model {self.model}; {budget}: {over}"
-
-    def as_json(self) -> dict[str, object]:
-        """The values of the JSON report."""
-        return {
-            "budget_s": self.budget_s,
-            "cycle_s": self.cycle_s,
-            "cycles": self.cycles,
-            "motion_model": self.model,
-            "holds": self.holds,
-            "reason": self.reason,
-        }
+        return (
+            f"cycle budget failed: {took} with motion model {self.motion_model}; {budget}: {over}"
+        )
 
 
 @value_class(frozen=True, slots=True)
@@ -108,13 +90,6 @@ class Verdicts:
         return run_verdict(
             simulation, assertions_fail=self.failed, reservations=still_open if count else ()
         )
-
-    def as_json(self) -> dict[str, object]:
-        """The fields `assertions` and `cycle_budget` of the JSON report."""
-        return {
-            "assertions": [one.as_json() for one in self.assertions],
-            "cycle_budget": self.budget.as_json() if self.budget else None,
-        }
 
     @property
     def verdicts(self) -> tuple[AssertionVerdict | BudgetVerdict, ...]:

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from math import degrees
+from typing import Any, TypeAlias
 
 import numpy as np
 from rich.console import Group, RenderableType
@@ -15,42 +17,8 @@ from rapidsim.motion.robot.robot import Robot
 from rapidsim.report.untruncated_table import UntruncatedTable
 
 _SMALL = 1e-9
-
-
-def axis_tables_json(robot: Robot) -> dict[str, object]:
-    """The DH table and the screws of an arm; null where rods couple its joints."""
-    dh, screws = dh_table_of(robot.kinematics), screws_of(robot.kinematics)
-    if dh is None or screws is None:
-        return {"dh": None, "screws": None}
-    return {
-        "dh": {
-            "form": "standard",
-            "base": plain_numbers(matrix_in_mm(dh.base)),
-            "rows": [
-                {"theta_deg": degrees(t), "d_mm": 1000.0 * d, "a_mm": 1000.0 * a,
-                 "alpha_deg": degrees(alpha), "slides": slides}
-                for (t, d, a, alpha), slides in zip(
-                    np.column_stack([dh.theta, dh.d, dh.a, dh.alpha]).tolist(),
-                    dh.slides.tolist(),
-                    strict=True,
-                )
-            ],
-            "flange": plain_numbers(matrix_in_mm(dh.flange)),
-        },
-        "screws": {
-            "frame": "base",
-            "axes": [
-                {"direction": turn, "moment_mm": moment, "point_mm": point}
-                for turn, moment, point in zip(
-                    plain_numbers(screws.turns),
-                    plain_numbers(screws.moments_mm),
-                    plain_numbers(1000.0 * screws.points),
-                    strict=True,
-                )
-            ],
-            "flange_at_zero": plain_numbers(matrix_in_mm(screws.base_from_flange)),
-        },
-    }  # fmt: skip
+Matrix: TypeAlias = Sequence[Sequence[float]]
+"""Rows of a matrix."""
 
 
 def axis_tables_page(robot: Robot) -> RenderableType:
@@ -99,9 +67,9 @@ def matrix_in_mm(frame: Transform) -> Array:
     return matrix
 
 
-def plain_numbers(values: Array) -> list[object]:
+def plain_numbers(values: Array) -> list[Any]:
     """Numbers without a negative zero."""
-    numbers: list[object] = (values + 0.0).tolist()
+    numbers: list[Any] = (values + 0.0).tolist()
     return numbers
 
 

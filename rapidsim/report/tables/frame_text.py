@@ -1,19 +1,46 @@
-"""A frame tree as text with guides, and as JSON values."""
+"""A frame tree as text with guides, and as a record of JSON."""
 
 from __future__ import annotations
 
 import math
+from typing import Annotated
 
 from rich.text import Text
 from rich.tree import Tree
 
 from rapidsim.frames.quaternion import normalised
+from rapidsim.json_records.declarations import ValueForm
 from rapidsim.language.data import IDENTITY_POSE, Orient, Pose
 from rapidsim.report.tables.frame_tree import FrameNode
+from rapidsim.values import value_class
 
 _STYLES = {"tool": "green", "user": "yellow", "object": "yellow", "target": "cyan"}
 _SHOWN_TARGETS = 40
 _GIMBAL = 1e-7
+
+
+@value_class(frozen=True, slots=True)
+class FramePose:
+    """A pose in mm and a unit quaternion."""
+
+    position_mm: tuple[float, ...]
+    quaternion: tuple[float, ...]
+    """Scalar first."""
+
+
+@value_class(frozen=True, slots=True)
+class FrameRecord:
+    """A frame or a target, with the frames fixed to it."""
+
+    name: str
+    kind: str
+    """`world`, `base`, `flange`, `tool`, `user`, `object` or `target`."""
+    note: str | None
+    pose: Annotated[FramePose, ValueForm.INLINE]
+    """Pose in the frame to which it is fixed."""
+    world: FramePose | None
+    """Pose in the world; null if it depends on the posture of the arm."""
+    children: tuple[FrameRecord, ...]
 
 
 def frame_text(frame: FrameNode) -> Tree:
@@ -23,16 +50,16 @@ def frame_text(frame: FrameNode) -> Tree:
     return shown
 
 
-def frame_json(frame: FrameNode) -> dict[str, object]:
-    """The tree as JSON values; poses in mm and unit quaternions, scalar first."""
-    return {
-        "name": frame.name,
-        "kind": frame.kind,
-        "note": frame.note or None,
-        **_pose_json(frame.parent_from_frame),
-        "world": _pose_json(frame.world_from_frame) if frame.world_from_frame else None,
-        "children": [frame_json(child) for child in frame.children],
-    }
+def frame_record(frame: FrameNode) -> FrameRecord:
+    """The tree as a record."""
+    return FrameRecord(
+        name=frame.name,
+        kind=frame.kind,
+        note=frame.note or None,
+        pose=_pose_record(frame.parent_from_frame),
+        world=_pose_record(frame.world_from_frame) if frame.world_from_frame else None,
+        children=tuple(map(frame_record, frame.children)),
+    )
 
 
 def euler_zyx_deg(rotation: Orient) -> tuple[float, float, float]:
@@ -82,5 +109,5 @@ def _rounded(value: float, digits: int) -> str:
     return f"{round(value, digits) + 0.0:.{digits}f}"
 
 
-def _pose_json(pose: Pose) -> dict[str, object]:
-    return {"position_mm": list(pose.trans), "quaternion": list(pose.rot)}
+def _pose_record(pose: Pose) -> FramePose:
+    return FramePose(pose.trans, pose.rot)

@@ -3,13 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import Annotated
 
 from rich.console import Group, RenderableType
 from rich.padding import Padding
 from rich.text import Text
 
+from rapidsim.json_records.declarations import Key, OutputRecord
+from rapidsim.json_records.encoding import json_of
 from rapidsim.reach.arm_ranking import ProgramTargets, RankedArm
 from rapidsim.report.untruncated_table import UntruncatedTable
+from rapidsim.values import value_class
 
 _MOST_ROWS = 20
 _MEANING = (
@@ -42,29 +46,58 @@ def ranking_table(targets: ProgramTargets, ranked: Sequence[RankedArm]) -> Rende
     return Group(table, Padding(Text(f"{left}{facts}; {_MEANING}", "dim"), (1, 0, 0, 0)))
 
 
+@value_class(frozen=True, slots=True)
+class RankedRobot:
+    """An arm of the catalogue in the ranking."""
+
+    rank: int
+    """1 for the best; arms of one rank suit the targets equally well."""
+    name: str
+    reach_mm: float | None
+    tried: int
+    """Number of targets that were tried; fewer for arms without formulas."""
+    reached: int
+    """Number of targets within reach and limits."""
+    satisfied: Annotated[int, Key("held")]
+    """Number of targets reached in the configuration that the target stores."""
+    carries: bool
+    """Whether the arm is rated for the heaviest tool."""
+    is_named: Annotated[bool, Key("named")]
+    """Whether a comment, a file name or a backup names its type."""
+
+
+@value_class(frozen=True, slots=True)
+class RankingReport(OutputRecord):
+    """The object that `rapidsim robots --for PATH --format json` prints."""
+
+    program: str
+    """PATH, as the user named it."""
+    targets: int
+    """Number of distinct targets that are known without a run, at most some hundred."""
+    heaviest_kg: float
+    """Mass of the heaviest tool with its load."""
+    robots: tuple[RankedRobot, ...]
+    """Arms, the best first."""
+
+
 def ranking_json(
     path: str, targets: ProgramTargets, ranked: Sequence[RankedArm]
 ) -> dict[str, object]:
     """The ranking of all arms as JSON values."""
-    return {
-        "schema": 1,
-        "program": path,
-        "targets": targets.count,
-        "heaviest_kg": targets.heaviest_kg,
-        "robots": [
-            {
-                "rank": _rank(arm, ranked),
-                "name": arm.name,
-                "reach_mm": None if arm.reach_m is None else arm.reach_m * 1000.0,
-                "tried": arm.tried,
-                "reached": arm.reached,
-                "held": arm.satisfied,
-                "carries": arm.carries,
-                "named": arm.is_named,
-            }
-            for arm in ranked
-        ],
-    }
+    robots = tuple(
+        RankedRobot(
+            rank=_rank(arm, ranked),
+            name=arm.name,
+            reach_mm=None if arm.reach_m is None else arm.reach_m * 1000.0,
+            tried=arm.tried,
+            reached=arm.reached,
+            satisfied=arm.satisfied,
+            carries=arm.carries,
+            is_named=arm.is_named,
+        )
+        for arm in ranked
+    )
+    return json_of(RankingReport(path, targets.count, targets.heaviest_kg, robots))
 
 
 def _rank(arm: RankedArm, ranked: Sequence[RankedArm]) -> int:

@@ -89,21 +89,6 @@ def workspace_page(workspace: ArmWorkspace | str) -> RenderableType:
     return facts
 
 
-def workspace_json(workspace: ArmWorkspace | str) -> dict[str, object] | None:
-    """The workspace as JSON values; None if it could not be computed."""
-    if isinstance(workspace, str):
-        return None
-    near, far, low, high = (1000.0 * value for value in workspace.extent)
-    return {
-        "of": "flange",
-        "volume_m3": workspace.volume,
-        "from_axis_1_mm": [near, far],
-        "height_mm": [low, high],
-        "around_deg": degrees(workspace.swept),
-        "cell_mm": 1000.0 * workspace.cell,
-    }
-
-
 def robot_page(robot: Robot, aliases: Sequence[str]) -> RenderableType:
     """One robot with its axes."""
     facts = Table.grid(padding=(0, 2))

@@ -188,8 +188,8 @@ class HttpFrontend:
             dict(request.query),
             form,
             request[_SESSION].number,
-            content,
             dialect.generation,
+            content,
         )
         reply = await self.link.request(asked)
         if is_file and isinstance(reply, ErrorAnswer):
@@ -221,7 +221,7 @@ class HttpFrontend:
         self._last_group += 1
         group = _Group(self._last_group, request[_SESSION].number)
         self._groups[group.number] = group
-        reply = await self.link.request(Subscribe(group.number, resources))
+        reply = await self.link.request(Subscribe(resources, group.number))
         if isinstance(reply, ErrorAnswer):
             del self._groups[group.number]
             return dialect.represent(request, reply)

@@ -1,33 +1,49 @@
-"""Events as plain values, which reports and exports write as JSON."""
+"""Events as records of JSON, which reports and exports write."""
 
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping
+from dataclasses import fields
+from typing import Annotated
 
-from rapidsim.controller.journal.events import Event
-
-DECIMALS = 8
-"""Decimals of s, mm and degrees in JSON: more than needed, fewer than machines agree on."""
-
-
-def written(value: float) -> float:
-    """Return a number rounded for JSON, so that files of two machines are equal but for ties."""
-    return round(value, DECIMALS) + 0.0
+from rapidsim.controller.journal.events import Event, EventKind
+from rapidsim.json_records.declarations import Lenient, Rounded, ValueForm
+from rapidsim.values import value_class
 
 
-def event_record(event: Event) -> dict[str, object]:
-    """Return the fields common to all events, then the details: finite numbers, texts, lists."""
+@value_class(frozen=True, slots=True)
+class EventRecord:
+    """An event; its other keys depend on its kind, such as the signal and its value."""
+
+    time_s: Rounded
+    task: Lenient[str]
+    """Task whose program caused it; `cell` if none did."""
+    kind: EventKind
+    file: str | None
+    line: int | None
+    message: str
+    details: Annotated[Mapping[str, object], ValueForm.INLINE]
+    """Finite numbers, texts and lists."""
+
+
+_COMMON = frozenset(field.name for field in fields(EventRecord))
+
+
+def event_record(event: Event) -> EventRecord:
+    """Return the record of an event."""
     span = event.place.span if event.place else None
-    common: dict[str, object] = {
-        "time_s": written(event.time_s),
-        "task": event.task,
-        "kind": event.kind.value,
-        "file": span.file if span else None,
-        "line": span.line if span else None,
-        "message": event.message,
-    }
-    details = {name: _plain(value) for name, value in event.details.items()}
-    return {**common, **{name: value for name, value in details.items() if name not in common}}
+    return EventRecord(
+        time_s=event.time_s,
+        task=event.task,
+        kind=event.kind,
+        file=span.file if span else None,
+        line=span.line if span else None,
+        message=event.message,
+        details={
+            name: _plain(value) for name, value in event.details.items() if name not in _COMMON
+        },
+    )
 
 
 def _plain(value: object) -> object:

@@ -1,0 +1,1 @@
+"""JSON records, declared once as classes: their output, their schema, and reading them back."""

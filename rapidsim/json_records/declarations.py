@@ -1,0 +1,143 @@
+"""Declarations of JSON records: frozen classes whose fields are the keys, in their order.
+
+A docstring below a field is its description in the schema. A class variable is a key with a
+constant value.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+from collections.abc import Mapping, Sequence
+from dataclasses import MISSING
+from enum import Enum
+from functools import cache
+from types import NoneType, UnionType
+from typing import (
+    Annotated,
+    Any,
+    ClassVar,
+    TypeAlias,
+    TypeVar,
+    Union,
+    get_args,
+    get_origin,
+    get_type_hints,
+)
+
+from rapidsim.values import value_class
+
+_UNIONS = (Union, UnionType)
+_ARRAYS = (tuple, Sequence)
+
+
+class ValueForm(Enum):
+    """Forms of values other than the usual one."""
+
+    INLINE = "inline"
+    """The keys of the record or the mapping, without a key for itself."""
+    LENIENT = "lenient"
+    """A value that saved outputs may lack; it is empty then."""
+    OPTIONAL = "optional"
+    """A value that is omitted where it is the default; without a default, where it is None."""
+    ROUNDED = "rounded"
+    """A number with 8 decimals; null if it is not finite."""
+
+
+Rounded: TypeAlias = Annotated[float, ValueForm.ROUNDED]
+"""A number of a run, which is rounded, so that the files of two machines are equal."""
+T = TypeVar("T")
+OrAbsent: TypeAlias = Annotated[T | None, ValueForm.OPTIONAL]
+"""A value whose key is omitted where it is None."""
+Lenient: TypeAlias = Annotated[T, ValueForm.LENIENT]
+"""A value that saved outputs may lack, because an older version wrote them."""
+
+
+@value_class(frozen=True, slots=True)
+class OutputRecord:
+    """The object that a command prints with `--format json`."""
+
+    schema: ClassVar[int] = 1
+    """Grows when a key changes its meaning or is removed; new keys may be added at any time."""
+
+
+@value_class(frozen=True, slots=True)
+class Key:
+    """Key of a field that has another name in Python."""
+
+    name: str
+
+
+@value_class(frozen=True, slots=True)
+class RecordField:
+    """One field of a record."""
+
+    name: str
+    key: str
+    type: Any
+    """The type with its marks."""
+    is_constant: bool
+    is_inline: bool
+    is_lenient: bool
+    is_optional: bool
+    """Whether it is omitted where it is the default."""
+    default: object
+    """`MISSING` if there is none."""
+
+
+@cache
+def record_fields(record: Any) -> tuple[RecordField, ...]:
+    """Return the fields of a record, constants included, in the order of the declaration."""
+    types = get_type_hints(record, include_extras=True)
+    declared = {field.name: field for field in dataclasses.fields(record) if field.init}
+    found = []
+    for name, type_ in types.items():
+        is_constant = get_origin(type_) is ClassVar
+        if not is_constant and name not in declared:
+            continue
+        marks = getattr(type_, "__metadata__", ())
+        is_inline = ValueForm.INLINE in marks
+        is_optional = is_inline or ValueForm.OPTIONAL in marks
+        default = MISSING if is_constant or is_inline else declared[name].default
+        found.append(
+            RecordField(
+                name=name,
+                key=next((one.name for one in marks if isinstance(one, Key)), name),
+                type=get_args(type_)[0] if is_constant else type_,
+                is_constant=is_constant,
+                is_inline=is_inline,
+                is_lenient=ValueForm.LENIENT in marks,
+                is_optional=is_optional,
+                default=None if is_optional and default is MISSING else default,
+            )
+        )
+    return tuple(found)
+
+
+def is_record(type_: object) -> bool:
+    """Whether a type is a record."""
+    return isinstance(type_, type) and dataclasses.is_dataclass(type_)
+
+
+def marks_of(type_: Any) -> tuple[Any, tuple[Any, ...]]:
+    """Return a type without its marks, and these."""
+    if get_origin(type_) is Annotated:
+        return type_.__origin__, type_.__metadata__
+    return type_, ()
+
+
+def alternatives(type_: Any) -> tuple[tuple[Any, ...], bool]:
+    """Return the types that a value may have but None, and whether it may be None."""
+    if get_origin(type_) not in _UNIONS:
+        return (type_,), False
+    types = get_args(type_)
+    return tuple(one for one in types if one is not NoneType), NoneType in types
+
+
+def item_type(type_: Any) -> Any:
+    """Return the type of the items of an array; None if the type is no array."""
+    return get_args(type_)[0] if get_origin(type_) in _ARRAYS else None
+
+
+def value_type(type_: Any) -> Any:
+    """Return the type of the values of an object without declared keys; None for other types."""
+    return get_args(type_)[1] if get_origin(type_) is Mapping else None
