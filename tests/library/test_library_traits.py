@@ -148,6 +148,7 @@ ELSEWHERE = {
     "analysis/tolerated_syntax.py": {"DIM"},
     "applications": {"dim", "distance", "load", "set", "type", "write"},
     "cli/commands/serve.py": {"max"},
+    "cli/tools/debugger.py": {"continue"},
     "collisions": {"type"},
     "controller": {
         *("ClearPath", "RestoPath", "StorePath", "SyncMoveOn", "SyncMoveOff", "SyncMoveSuspend"),
