@@ -11,21 +11,21 @@ _INTERRUPTED = 130
 def main() -> None:
     """Run the command line and end the process with its exit code.
 
-    Ctrl-C ends it without a traceback, whenever it comes. Loading takes a tenth of a second, in
-    which an exception could come up in the middle of somebody else's module; nothing is written
-    yet, so the process ends there and then. Commands get an exception and tidy up after themselves.
+    Ctrl-C ends it without a traceback at any time. While modules are loaded, which takes a tenth of
+    a second, the process exits at once, for nothing is written yet and an exception would be raised
+    within a module of another package. Commands receive an exception and clean up.
     """
     try:
         import signal
 
-        # A command in the background of a shell is deaf to Ctrl-C, and stays so.
-        hears = signal.getsignal(signal.SIGINT) is signal.default_int_handler
-        if hears:
+        # A shell has its background commands ignore Ctrl-C; they go on ignoring it.
+        handles_interrupt = signal.getsignal(signal.SIGINT) is signal.default_int_handler
+        if handles_interrupt:
             signal.signal(signal.SIGINT, lambda *_: _leave())
             sys.unraisablehook = _unraisable
         from rapidsim.cli.boundary import run_commands
 
-        if hears:
+        if handles_interrupt:
             signal.signal(signal.SIGINT, signal.default_int_handler)
         code = run_commands(sys.argv[1:])
         signal.signal(signal.SIGINT, signal.SIG_IGN)
@@ -35,10 +35,10 @@ def main() -> None:
 
 
 def _end(code: int) -> NoReturn:
-    """End the process without taking down what the system takes back as a whole.
+    """Exit without freeing objects one by one; the system frees the memory of the process.
 
-    Python would free object by object, which is a third of a check of a small file and seconds of a
-    large one. Where others still have something to do at the end, Python ends as it does.
+    Freeing takes a third of the time of a check of a small file, and seconds for a large one. With
+    other threads, a profiler or a tracer the interpreter exits as usual.
     """
     import atexit
     import threading
@@ -49,7 +49,7 @@ def _end(code: int) -> NoReturn:
             sys.stdout.flush()
             sys.stderr.flush()
         except (AttributeError, OSError, ValueError):
-            pass  # Streams that are closed, or were never there: below, as Python deals with them.
+            pass  # Closed or missing streams: the interpreter handles them below.
         else:
             os._exit(code)
     sys.exit(code)
@@ -61,9 +61,9 @@ def _leave() -> NoReturn:
 
 
 def _unraisable(unraisable: UnraisableHookArgs) -> None:
-    """Hear Ctrl-C where Python would only complain of it: while an object is taken down.
+    """Exit at Ctrl-C while an object is finalised, where Python would only print a message.
 
-    What `--max-wall` raises is another class, and comes again.
+    `--max-wall` raises another class, and raises it again.
     """
     if type(unraisable.exc_value) is KeyboardInterrupt:
         _leave()
