@@ -6,9 +6,10 @@ block it belongs to, as they do to a reader.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
 
-from rapidsim.diagnostics import Diagnostic, Related, Span
+from rapidsim.diagnostics import Diagnostic, Edit, Fix, Related, Span
 from rapidsim.syntax.blocks import (
     CLOSERS,
     DIVIDERS,
@@ -19,15 +20,23 @@ from rapidsim.syntax.blocks import (
     closed_blocks,
     open_blocks,
 )
-from rapidsim.syntax.parse_failure import ParseFailure, Patch, Token, TokenBuffer, deletion
+from rapidsim.syntax.parse_failure import (
+    ParseFailure,
+    Patch,
+    Token,
+    TokenBuffer,
+    deletion,
+    insertion,
+)
 from rapidsim.syntax.recognizer import START, accepts, in_list
 from rapidsim.syntax.spelling import distance
 from rapidsim.syntax.stored_table import rapid_table
 from rapidsim.syntax.table import END
-from rapidsim.syntax.token_repairs import respelling
-from rapidsim.syntax.violations import StrayBlockWord, UnclosedBlock
+from rapidsim.syntax.token_repairs import respelling, written_fix
+from rapidsim.syntax.violations import MissingSymbol, StrayBlockWord, UnclosedBlock
 
 _MOST_SLIPS = 2
+_LINE_END = re.compile(r"\r*\n|\r")
 _MOST_APART = 8
 """Maximum number of open blocks at one place examined individually; more get one report."""
 
@@ -68,7 +77,7 @@ def stray_block_word(at: ParseFailure) -> Patch | None:
     wanted = _wanted(kind)
     if wanted is None or kind == END or not in_list(at.stack):
         return None
-    opener = _misspelt_opener(at, wanted)
+    opener = _misspelt_opener(at, wanted) or _missing_then(at, wanted)
     if opener is not None:
         return opener
     if kind in ITEMS or kind == "MODULE":
@@ -140,10 +149,15 @@ def _misspelt_closer(at: ParseFailure, block: OpenBlock, stop: int) -> Patch | N
             row.kinds[index] == "NAME"
             and row.first_on_line(index)
             and (row.first_on_line(index + 1) or row.kinds[index + 1] in {"SEMICOLON", END})
-            and distance(row.text(index).upper(), word) <= _MOST_SLIPS
+            and _is_meant(row.text(index).upper(), word)
         ):
             return respelling(row, index, index + 1, word)
     return None
+
+
+def _is_meant(text: str, word: str) -> bool:
+    """Whether a text is the END of other languages, or a misspelt word."""
+    return text == "END" or distance(text, word) <= _MOST_SLIPS
 
 
 def _by_indentation(
@@ -203,7 +217,22 @@ def _closing(row: TokenBuffer, block: OpenBlock, index: int, latest: int) -> Pat
     violation = UnclosedBlock(block.kind, word, opener.line)
     related = (Related(opener, f"this {block.kind} is open"),)
     span = Span(row.source, place, place)
-    return Patch(index, index, ((word, place, place),), Diagnostic(violation, span, related))
+    patch = Patch(index, index, ((word, place, place),), Diagnostic(violation, span, related))
+    return patch.with_fix(_closing_line(row, block, index))
+
+
+def _closing_line(row: TokenBuffer, block: OpenBlock, index: int) -> Fix | None:
+    """Write the closing word on a line of its own, as far in as the block; None within a line."""
+    if not row.first_on_line(index):
+        return None
+    text = row.source.text
+    place = row.place_before(index)
+    end = _LINE_END.search(text, place)
+    at = len(text) if end is None else end.start()
+    ending = "\n" if end is None else end[0]
+    word = CLOSERS[block.kind]
+    line = f"{ending}{' ' * (row.indent(block.index) - 1)}{word}"
+    return Fix(f"Add {word}", (Edit(Span(row.source, at, at), line),), safe=False)
 
 
 def _misspelt_opener(at: ParseFailure, wanted: frozenset[str]) -> Patch | None:
@@ -224,4 +253,22 @@ def _misspelt_opener(at: ParseFailure, wanted: frozenset[str]) -> Patch | None:
             patched[index - at.module] = words[word]
             if accepts(START, patched):
                 return respelling(row, index, index + 1, word)
+    return None
+
+
+def _missing_then(at: ParseFailure, wanted: frozenset[str]) -> Patch | None:
+    """Add THEN to an IF whose statements begin on the next line, as if it were a short one."""
+    row = at.row
+    if "IF" not in wanted:
+        return None
+    for index in range(at.index - 1, at.module, -1):
+        if row.kinds[index] in ROUTINES:
+            return None
+        stop = row.line_stop(index)
+        if row.kinds[index] != "IF" or "THEN" in row.kinds[index:stop]:
+            continue
+        kinds = [*row.kinds[at.module : stop], "THEN", *row.kinds[stop : at.index + 1]]
+        if accepts(START, kinds):
+            patch = insertion(row, stop, "THEN", MissingSymbol("THEN", "the IF statement"))
+            return patch.with_fix(written_fix(row.place_before(stop), row, "THEN"))
     return None

@@ -8,6 +8,7 @@ change. Inserted tokens have no width, so every offset in the tree remains valid
 from __future__ import annotations
 
 import re
+from dataclasses import replace
 from typing import TypeAlias
 
 from rapidsim.diagnostics import Diagnostic, Fix, Related, Source, Span, Violation
@@ -88,6 +89,10 @@ class Patch:
     stop: int
     tokens: tuple[Token, ...]
     diagnostic: Diagnostic
+
+    def with_fix(self, fix: Fix | None) -> Patch:
+        """Return the patch with a fix in its diagnostic."""
+        return replace(self, diagnostic=replace(self.diagnostic, fix=fix))
 
 
 @value_class(frozen=True, eq=False, slots=True)

@@ -11,7 +11,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from rapidsim.diagnostics import Diagnostic, Source, Span
+from rapidsim.diagnostics import Diagnostic, Edit, Fix, Source, Span
 from rapidsim.syntax import tree
 from rapidsim.syntax.builder import Builder
 from rapidsim.syntax.driver import build_tree
@@ -197,10 +197,13 @@ def _unterminated(tokens: Tokens, source: Source) -> tuple[Diagnostic, ...]:
     if not tokens.unterminated:
         return ()
     ends = dict(zip(tokens.starts, tokens.ends, strict=True))
-    return tuple(
-        Diagnostic(UnterminatedString(), Span(source, start, ends.get(start, start + 1)))
-        for start in tokens.unterminated
-    )
+    spans = [Span(source, start, ends.get(start, start + 1)) for start in tokens.unterminated]
+    return tuple(Diagnostic(UnterminatedString(), span, fix=_closed_string(span)) for span in spans)
+
+
+def _closed_string(span: Span) -> Fix:
+    """Close a string at its presumable end."""
+    return Fix('Add `"`', (Edit(Span(span.source, span.end, span.end), '"'),), safe=False)
 
 
 def _inside(

@@ -39,6 +39,10 @@ _MISSING = (
     *("THEN", "DO", "BECOMES", "COLON", "EXP"),
     *("LPAR", "BACKSLASH", "PERCENT", "TO", "FROM", "WITH", "NAME"),
 )
+_VALUES = frozenset({"NAME", "NUMBER", "STRING", "LITERALS"})
+"""Kinds of which two in a row are two values; of two equal marks the second is dropped."""
+_SWAPPED = {("EQUAL", "GREATER"): ">=", ("EQUAL", "LESS"): "<="}
+"""Comparisons written the wrong way round."""
 _BRACKETS = {"RPAR": "LPAR", "RSQB": "LSQB", "RBRACE": "LBRACE"}
 # Number of tokens before the failing one in which the cause is searched. Every attempt costs a
 # parse of the statement, and a generated statement may have thousands of tokens.
@@ -211,26 +215,43 @@ def square_index(at: ParseFailure) -> Patch | None:
 def doubled_token(at: ParseFailure) -> Patch | None:
     """Drop the second of two equal marks, before an expression is inserted between them."""
     row, index = at.row, at.index
-    doubled = index > at.statement and at.kind == row.kinds[index - 1] and at.kind != "NAME"
+    doubled = index > at.statement and at.kind == row.kinds[index - 1] and at.kind not in _VALUES
     if not doubled or at.kind in BLOCK_WORDS or not at.accepts_after([], index + 1):
         return None
     where = wording.construct(row, at.statement, index)
-    return deletion(row, index, index + 1, UnexpectedSymbol(wording.token(row, index), where))
+    patch = deletion(row, index, index + 1, UnexpectedSymbol(wording.token(row, index), where))
+    return patch.with_fix(_without(row, index))
 
 
 def missing_token(at: ParseFailure) -> Patch | None:
     """Insert the single token that lets the parse continue."""
     row, index = at.row, at.index
     for kind in _MISSING:
-        if not at.accepts_after([kind], index):
+        # A label is rarely what is meant: ELSE and CASE of other languages end in a colon.
+        if (kind, at.kind) == ("NAME", "COLON") or not at.accepts_after([kind], index):
             continue
         if kind == "SEMICOLON":
             if in_list(at.stack) or _glued_to_number(row, index):
                 continue
             return semicolon_before(row, at.statement, index)
         violation = MissingSymbol(wording.symbol(kind), wording.construct(row, at.statement, index))
-        return insertion(row, index, kind, violation, _opening(at, kind))
+        patch = insertion(row, index, kind, violation, _opening(at, kind))
+        return patch.with_fix(written_fix(row.place_before(index), row, kind))
     return None
+
+
+def written_fix(start: int, row: TokenBuffer, kind: str, stop: int | None = None) -> Fix | None:
+    """Write a mark or a reserved word over a range, or at its start; None for other kinds.
+
+    The place and the mark are a guess: the parser only knows that the text can be read then.
+    """
+    text = wording.mark(kind)
+    if text is None:
+        return None
+    if stop is not None:
+        text = text.strip()
+    edit = Edit(Span(row.source, start, start if stop is None else stop), text)
+    return Fix(f"Write `{text.strip()}`", (edit,), safe=False)
 
 
 def wrong_token(at: ParseFailure) -> Patch | None:
@@ -240,22 +261,54 @@ def wrong_token(at: ParseFailure) -> Patch | None:
         return None
     where = wording.construct(row, at.statement, index)
     written = wording.token(row, index)
+    swapped = _swapped_comparison(at, where)
+    if swapped is not None:
+        return swapped
     condition = row.kinds[at.statement] in {"IF", "ELSEIF", "WHILE"}
     if at.kind == "BECOMES" and condition and at.accepts_after(["EQUAL"], index + 1):
         violation = UnexpectedSymbol("`:=`, which assigns where `=` compares,", where)
-        return replacement(row, index, index + 1, "EQUAL", violation)
+        return _replaced(row, index, "EQUAL", violation)
     if at.kind == "EQUAL" and at.accepts_after(["BECOMES"], index + 1):
         violation = UnexpectedSymbol("`=`, which compares where `:=` gives a value,", where)
-        return replacement(row, index, index + 1, "BECOMES", violation)
+        return _replaced(row, index, "BECOMES", violation)
     if at.kind in BLOCK_WORDS:
         return None
     if at.accepts_after([], index + 1):
-        return deletion(row, index, index + 1, UnexpectedSymbol(written, where))
-    for kind in ("COMMA", "BECOMES", "COLON", "RPAR", "RBRACE", "RSQB", "LPAR", "EXP"):
+        patch = deletion(row, index, index + 1, UnexpectedSymbol(written, where))
+        return patch if at.kind in _VALUES else patch.with_fix(_without(row, index))
+    for kind in ("COMMA", "BECOMES", "COLON", "RPAR", "RBRACE", "RSQB", "LPAR", "FROM", "EXP"):
         if at.accepts_after([kind], index + 1):
             violation = UnexpectedSymbol(f"{written}, read as {wording.symbol(kind)},", where)
-            return replacement(row, index, index + 1, kind, violation)
+            return _replaced(row, index, kind, violation)
     return None
+
+
+def _swapped_comparison(at: ParseFailure, where: str) -> Patch | None:
+    """Read `=>` as `>=`."""
+    row, index = at.row, at.index
+    right = _SWAPPED.get((row.kinds[index - 1], at.kind))
+    if right is None or row.starts[index] != row.ends[index - 1]:
+        return None
+    kind = rapid_table().marks[right]
+    before = row.kinds[at.statement : index - 1]
+    if not accepts(at.statement_stack, [*before, kind, *at.window(index + 1)]):
+        return None
+    span = row.span(index - 1, index + 1)
+    fix = Fix(f"Write `{right}`", (Edit(span, right),), safe=False)
+    violation = UnexpectedSymbol(f"`{span.text}`, read as `{right}`,", where)
+    return replacement(row, index - 1, index + 1, kind, violation, fix)
+
+
+def _replaced(row: TokenBuffer, index: int, kind: str, violation: UnexpectedSymbol) -> Patch:
+    """Replace a token by another one."""
+    fix = written_fix(row.starts[index], row, kind, row.ends[index])
+    return replacement(row, index, index + 1, kind, violation, fix)
+
+
+def _without(row: TokenBuffer, index: int) -> Fix:
+    """Remove a token."""
+    span = row.span(index, index + 1)
+    return Fix(f"Remove `{span.text}`", (Edit(span, ""),), safe=False)
 
 
 def _glued_to_number(row: TokenBuffer, index: int) -> bool:

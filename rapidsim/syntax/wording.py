@@ -54,6 +54,14 @@ def symbol(kind: str) -> str:
     return kind
 
 
+def mark(kind: str) -> str | None:
+    """Text of a kind that is always written alike, words with a blank before them; else None."""
+    if kind in rapid_table().words:
+        return f" {kind}"
+    marks = rapid_table().marks.items()
+    return next((text for text, terminal in marks if terminal == kind and kind != "EXP"), None)
+
+
 def construct(row: TokenBuffer, first: int, stop: int) -> str:
     """Describe the statement or declaration of these tokens, such as "the call of `P`"."""
     kinds = row.kinds

@@ -93,10 +93,7 @@ BREAKS: list[tuple[str, str]] = [
 ]
 
 
-NOT_REPAIRED = {
-    *("NEXT", "", "\n", "count=>5", '"few', "VelSet 80;", "else:", "AccSet 50 50;", "z11"),
-    *("= 1 TO", "END", "if (count"),
-}
+NOT_REPAIRED = {"NEXT", "VelSet 80;", "z11"}
 """What no fix can know, or none does yet."""
 
 

@@ -9,6 +9,7 @@ import pytest
 from rapidsim.diagnostics import Diagnostic, Source
 from rapidsim.syntax import tree
 from rapidsim.syntax.parser import parse
+from rapidsim.text_edits import edited_text
 
 HEAD = "MODULE m\nPROC p()\n"
 TAIL = "\nENDPROC\nENDMODULE\n"
@@ -162,7 +163,7 @@ def test_a_statement_ends_before_its_semicolon() -> None:
         ),
         (
             "FOR i=1 TO 3 DO ENDFOR",
-            "3:6 E117 the head of the FOR loop cannot be read: `=` where FROM is expected",
+            "3:6 E114 `=`, read as FROM, does not belong in the head of the FOR loop",
         ),
         ("ENDIF", "3:1 E115 ENDIF without IF"),
         ("ELSE", "3:1 E115 ELSE without IF"),
@@ -196,3 +197,31 @@ def reported(diagnostic: Diagnostic) -> str:
     assert span is not None
     violation = diagnostic.violation
     return f"{span.line}:{span.column} {violation.code} {violation.message}"
+
+
+@pytest.mark.parametrize(
+    ("statement", "repaired"),
+    [
+        ("IF a=>1 b;", "IF a>=1 b;"),
+        ("IF a:=1 b;", "IF a=1 b;"),
+        ("IF (a>1 b;", "IF (a>1) b;"),
+        ("AccSet 50 50;", "AccSet 50, 50;"),
+        ("p 1,,2;", "p 1,2;"),
+        ("FOR i=1 TO 3 DO ENDFOR", "FOR i FROM 1 TO 3 DO ENDFOR"),
+        ("FOR i FROM 1 TO 3\n  x:=i;\nENDFOR", "FOR i FROM 1 TO 3 DO\n  x:=i;\nENDFOR"),
+        ("WHILE a DO\n  b; ! always\n", "WHILE a DO\n  b; ! always\nENDWHILE\n"),
+        ("IF a\n  b;\nELSE\n  c;\nENDIF", "IF a THEN\n  b;\nELSE\n  c;\nENDIF"),
+        ("IF a THEN\n  b;\nELSE:\n  c;\nENDIF", "IF a THEN\n  b;\nELSE\n  c;\nENDIF"),
+        ("IF a THEN\n  b;\nEND", "IF a THEN\n  b;\nENDIF"),
+        ('TPWrite "a;', 'TPWrite "a";'),
+    ],
+)
+def test_fix(statement: str, repaired: str) -> None:
+    """A fix writes what the parser assumed; the text can be read then."""
+    text = HEAD + statement + TAIL
+    diagnostics = parse(Source("one", text)).diagnostics
+    fixes = [d.fix for d in diagnostics if d.fix]
+    assert len(fixes) == len(diagnostics) == 1
+    edits = [(edit.span.start, edit.span.end, edit.text) for edit in fixes[0].edits]
+    assert edited_text(text, edits) == HEAD + repaired + TAIL
+    assert not parse(Source("one", HEAD + repaired + TAIL)).diagnostics
