@@ -245,13 +245,18 @@ def written_fix(start: int, row: TokenBuffer, kind: str, stop: int | None = None
 
     The place and the mark are a guess: the parser only knows that the text can be read then.
     """
-    text = wording.mark(kind)
-    if text is None:
+    written = wording.mark(kind)
+    if written is None:
         return None
-    if stop is not None:
-        text = text.strip()
-    edit = Edit(Span(row.source, start, start if stop is None else stop), text)
-    return Fix(f"Write `{text.strip()}`", (edit,), safe=False)
+    span = Span(row.source, start, start if stop is None else stop)
+    before, after = (
+        row.source.text[max(start - 1, 0) : start],
+        row.source.text[span.end : span.end + 1],
+    )
+    is_word = written.isalpha()
+    left = " " * (is_word and (before.isalnum() or stop is None))
+    right = " " * (is_word and after.isalnum())
+    return Fix(f"Write `{written}`", (Edit(span, f"{left}{written}{right}"),), safe=False)
 
 
 def wrong_token(at: ParseFailure) -> Patch | None:

@@ -55,9 +55,9 @@ def symbol(kind: str) -> str:
 
 
 def mark(kind: str) -> str | None:
-    """Text of a kind that is always written alike, words with a blank before them; else None."""
+    """Text of a mark or a reserved word; None for other kinds."""
     if kind in rapid_table().words:
-        return f" {kind}"
+        return kind
     marks = rapid_table().marks.items()
     return next((text for text, terminal in marks if terminal == kind and kind != "EXP"), None)
 
