@@ -12,6 +12,9 @@ from collections.abc import Collection, Iterable
 from rapidsim.syntax.spelling import distance
 from rapidsim.syntax.stored_table import rapid_table
 
+_LOOKALIKES = str.maketrans("oil", "011")
+"""Letters that are read as digits: `p1O` is `p10`."""
+
 
 def reserved_words() -> Collection[str]:
     """Reserved words of the language, which are never names."""
@@ -21,10 +24,13 @@ def reserved_words() -> Collection[str]:
 def closest(name: str, candidates: Iterable[str]) -> str | None:
     """Return the candidate closest to a name; None if none is close. Ties go to the first."""
     folded = name.lower()
+    looks = folded.translate(_LOOKALIKES)
     best: str | None = None
     limit = _most_slips(folded)
     for candidate in candidates:
         other = candidate.lower()
+        if len(other) == len(folded) and other.translate(_LOOKALIKES) == looks and other != folded:
+            return candidate
         if limit and other != folded and _is_near(folded, other, limit):
             best, limit = candidate, distance(folded, other) - 1
     return best

@@ -116,9 +116,9 @@ def _closing_all(row: TokenBuffer, blocks: Sequence[OpenBlock], index: int) -> P
     )
     line = row.span(outermost.index, outermost.index + 1).line
     violation = UnclosedBlock(outermost.kind, CLOSERS[outermost.kind], line)
-    return Patch(
-        index, index, tokens, Diagnostic(violation, Span(row.source, place, place), related)
-    )
+    diagnostic = Diagnostic(violation, Span(row.source, place, place), related)
+    patch = Patch(index, index, tokens, diagnostic)
+    return patch.with_fix(_closing_lines(row, blocks, index))
 
 
 def _wanted(kind: str) -> frozenset[str] | None:
@@ -218,21 +218,26 @@ def _closing(row: TokenBuffer, block: OpenBlock, index: int, latest: int) -> Pat
     related = (Related(opener, f"this {block.kind} is open"),)
     span = Span(row.source, place, place)
     patch = Patch(index, index, ((word, place, place),), Diagnostic(violation, span, related))
-    return patch.with_fix(_closing_line(row, block, index))
+    return patch.with_fix(_closing_lines(row, [block], index))
 
 
-def _closing_line(row: TokenBuffer, block: OpenBlock, index: int) -> Fix | None:
-    """Write the closing word on a line of its own, as far in as the block; None within a line."""
-    if not row.first_on_line(index):
+def _closing_lines(row: TokenBuffer, blocks: Sequence[OpenBlock], index: int) -> Fix | None:
+    """Write the closing words of blocks, outermost first, on lines of their own before a token.
+
+    Each is as far in as the word that opens its block. None if the token is within a line.
+    """
+    if not row.first_on_line(index) and row.kinds[index] != END:
         return None
     text = row.source.text
-    place = row.place_before(index)
-    end = _LINE_END.search(text, place)
+    end = _LINE_END.search(text, row.place_before(index))
     at = len(text) if end is None else end.start()
     ending = "\n" if end is None else end[0]
-    word = CLOSERS[block.kind]
-    line = f"{ending}{' ' * (row.indent(block.index) - 1)}{word}"
-    return Fix(f"Add {word}", (Edit(Span(row.source, at, at), line),), safe=False)
+    lines = [
+        f"{ending}{' ' * (row.indent(block.index) - 1)}{CLOSERS[block.kind]}"
+        for block in reversed(blocks)
+    ]
+    words = ", ".join(CLOSERS[block.kind] for block in reversed(blocks))
+    return Fix(f"Add {words}", (Edit(Span(row.source, at, at), "".join(lines)),), safe=False)
 
 
 def _misspelt_opener(at: ParseFailure, wanted: frozenset[str]) -> Patch | None:

@@ -21,7 +21,9 @@ from rapidsim.syntax.parse_failure import ParseFailure, Patch, TokenBuffer
 from rapidsim.syntax.recognizer import START, advance, in_file, in_list
 from rapidsim.syntax.token_repairs import (
     BLOCK_WORDS,
+    compound_assignment,
     doubled_token,
+    foreign_mark,
     half_readable_word,
     missing_semicolon,
     missing_token,
@@ -38,6 +40,8 @@ from rapidsim.values import value_class
 
 REPAIRS: tuple[Callable[[ParseFailure], Patch | None], ...] = (
     skip_text_between_modules,
+    foreign_mark,
+    compound_assignment,
     unknown_character,
     # Before the semicolon, or `EDNIF` would get one and become a call.
     misspelt_word,

@@ -41,14 +41,53 @@ _MISSING = (
 )
 _VALUES = frozenset({"NAME", "NUMBER", "STRING", "LITERALS"})
 """Kinds of which two in a row are two values; of two equal marks the second is dropped."""
-_SWAPPED = {("EQUAL", "GREATER"): ">=", ("EQUAL", "LESS"): "<="}
-"""Comparisons written the wrong way round."""
+_FOREIGN = {"=>": (">=",), "=<": ("<=",), "==": (":=", "="), "&&": ("AND",), "||": ("OR",)}
+"""Marks of other languages, and what they may mean."""
+_OPERATORS = frozenset({"PLUS", "MINUS", "STAR", "SLASH"})
 _BRACKETS = {"RPAR": "LPAR", "RSQB": "LSQB", "RBRACE": "LBRACE"}
 # Number of tokens before the failing one in which the cause is searched. Every attempt costs a
 # parse of the statement, and a generated statement may have thousands of tokens.
 _FARTHEST = 100
 # Names with a part in parentheses: longer ones are more likely something else.
 _LONGEST_PART = 8
+
+
+def foreign_mark(at: ParseFailure) -> Patch | None:
+    """Read a mark of another language, such as `==` or `&&`, as the one that is meant."""
+    row = at.row
+    for first in (at.index - 1, at.index):
+        if first < at.statement or not _touch(row, first):
+            continue
+        span = row.span(first, first + 2)
+        before = row.kinds[at.statement : first]
+        where = wording.construct(row, at.statement, at.index)
+        for meant in _FOREIGN.get(span.text, ()):
+            kind = rapid_table().marks.get(meant, meant)
+            if accepts(at.statement_stack, [*before, kind, *at.window(first + 2)]):
+                violation = UnexpectedSymbol(
+                    f"`{span.text}`, read as {wording.symbol(kind)},", where
+                )
+                fix = written_fix(span.start, row, kind, span.end)
+                return replacement(row, first, first + 2, kind, violation, fix)
+    return None
+
+
+def compound_assignment(at: ParseFailure) -> Patch | None:
+    """Read `n+=1` as an assignment; the fix writes `n:=n+1`."""
+    row = at.row
+    operator = at.index if at.kind in _OPERATORS else at.index - 1
+    is_compound = row.kinds[operator] in _OPERATORS and _touch(row, operator)
+    if not is_compound or row.kinds[operator + 1] != "EQUAL" or operator <= at.statement:
+        return None
+    before = row.kinds[at.statement : operator]
+    if not accepts(at.statement_stack, [*before, "BECOMES", *at.window(operator + 2)]):
+        return None
+    span = row.span(operator, operator + 2)
+    data = row.span(at.statement, operator).text
+    edit = Edit(span, f":={data}{row.text(operator)}")
+    violation = UnexpectedSymbol(f"`{span.text}`, read as `:=`,", "the assignment")
+    fix = Fix(f"Write `{data}{edit.text}`", (edit,), safe=False)
+    return replacement(row, operator, operator + 2, "BECOMES", violation, fix)
 
 
 def unknown_character(at: ParseFailure) -> Patch | None:
@@ -266,9 +305,6 @@ def wrong_token(at: ParseFailure) -> Patch | None:
         return None
     where = wording.construct(row, at.statement, index)
     written = wording.token(row, index)
-    swapped = _swapped_comparison(at, where)
-    if swapped is not None:
-        return swapped
     condition = row.kinds[at.statement] in {"IF", "ELSEIF", "WHILE"}
     if at.kind == "BECOMES" and condition and at.accepts_after(["EQUAL"], index + 1):
         violation = UnexpectedSymbol("`:=`, which assigns where `=` compares,", where)
@@ -288,22 +324,6 @@ def wrong_token(at: ParseFailure) -> Patch | None:
     return None
 
 
-def _swapped_comparison(at: ParseFailure, where: str) -> Patch | None:
-    """Read `=>` as `>=`."""
-    row, index = at.row, at.index
-    right = _SWAPPED.get((row.kinds[index - 1], at.kind))
-    if right is None or row.starts[index] != row.ends[index - 1]:
-        return None
-    kind = rapid_table().marks[right]
-    before = row.kinds[at.statement : index - 1]
-    if not accepts(at.statement_stack, [*before, kind, *at.window(index + 1)]):
-        return None
-    span = row.span(index - 1, index + 1)
-    fix = Fix(f"Write `{right}`", (Edit(span, right),), safe=False)
-    violation = UnexpectedSymbol(f"`{span.text}`, read as `{right}`,", where)
-    return replacement(row, index - 1, index + 1, kind, violation, fix)
-
-
 def _replaced(row: TokenBuffer, index: int, kind: str, violation: UnexpectedSymbol) -> Patch:
     """Replace a token by another one."""
     fix = written_fix(row.starts[index], row, kind, row.ends[index])
@@ -314,6 +334,11 @@ def _without(row: TokenBuffer, index: int) -> Fix:
     """Remove a token."""
     span = row.span(index, index + 1)
     return Fix(f"Remove `{span.text}`", (Edit(span, ""),), safe=False)
+
+
+def _touch(row: TokenBuffer, index: int) -> bool:
+    """Whether a token is followed by another one without a blank."""
+    return index + 1 < len(row.kinds) and row.starts[index + 1] == row.ends[index]
 
 
 def _glued_to_number(row: TokenBuffer, index: int) -> bool:

@@ -93,8 +93,25 @@ BREAKS: list[tuple[str, str]] = [
 ]
 
 
-NOT_REPAIRED = {"NEXT", "VelSet 80;", "z11"}
-"""What no fix can know, or none does yet."""
+BREAKS += [
+    *(("MoveJ p10,", "MoveJ p10 "), ("z10,tool0", "z10 tool0"), ("WaitTime 0.5;", "WaitTime 0.5")),
+    *(("    ENDIF\n", ""), ("    ENDFOR\n", ""), ("ENDMODULE\n", ""), ("  ENDPROC\n", "")),
+    *(('TPWrite "few";', 'TPWrite("few");'), (":=count+i", "+=i"), (":=count+i", "==count+i")),
+    *(("count>5", "count == 6"), ("count>5", "count != 5"), ("count>5", "count>5 && count<9")),
+    *(("count:=0", "count=0"), ("VAR num count", "num count"), ("PROC main()", "PROC main():")),
+    *(("PROC main()", "PROCEDURE main()"), ("MODULE Work", "MODULE Work;"), (" 3 DO", " 3")),
+    *(("FROM 1", "IN 1"), ("\\Num:=", "\\Num="), ("\\Num:=", "/Num:="), ('"many "', "'many '")),
+    *(("robtarget p10", "robtaget p10"), ("[600,200,800]", "[600,200,800"), ("ENDIF", "EndIF;")),
+    *(("ELSE", "ELSEIF"), ("MoveL p10", "moveL p1O"), ("AccSet 50,50;", "AccSet(50,50);")),
+]
+"""Mistakes of people and of agents that know other languages better."""
+
+
+NOT_REPAIRED = {
+    *("NEXT", "VelSet 80;", "z11", "count != 5", "num count", "PROCEDURE main()", "/Num:="),
+    *("'many '", "[600,200,800", "ELSEIF"),
+}
+"""What no fix can know: of 50 breaks 40 are repaired."""
 
 
 def test_fixes_alone_repair_what_they_can() -> None:
@@ -105,6 +122,7 @@ def test_fixes_alone_repair_what_they_can() -> None:
         if not answer["ok"]:
             left.add(new)
     assert left == NOT_REPAIRED
+    assert (len(BREAKS), len(left)) == (50, 10)
 
 
 def test_nothing_outside_of_what_was_sent_is_read() -> None:

@@ -204,6 +204,12 @@ def reported(diagnostic: Diagnostic) -> str:
     [
         ("IF a=>1 b;", "IF a>=1 b;"),
         ("IF a:=1 b;", "IF a=1 b;"),
+        ("IF a==1 b;", "IF a=1 b;"),
+        ("IF a && b c;", "IF a AND b c;"),
+        ("IF a||b c;", "IF a OR b c;"),
+        ("x==1;", "x:=1;"),
+        ("x+=2*y;", "x:=x+2*y;"),
+        ("a{1}.b -= 1;", "a{1}.b :=a{1}.b- 1;"),
         ("IF (a>1 b;", "IF (a>1) b;"),
         ("AccSet 50 50;", "AccSet 50, 50;"),
         ("p 1,,2;", "p 1,2;"),

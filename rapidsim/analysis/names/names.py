@@ -234,7 +234,8 @@ def _unknown_routine(name: tree.Name, context: Context, *, function: bool) -> Un
     """Report an undeclared routine; return its symbol if the program can run with it."""
     analysis = context.analysis
     cell = analysis.cell
-    if analysis.may_be_unread(name.key):
+    # The parser inserts a name without text where one is missing, and reports that.
+    if not name.text or analysis.may_be_unread(name.key):
         return None
     if name.text.startswith("<"):
         context.report(UnfinishedCode(name.text), name)
