@@ -1,6 +1,6 @@
 MODULE example
   PROC main()
-    FOR i=1 TO 3 DO ! found
+    FOR i IN RANGE 1 3 DO ! found
       Stop;
     ENDFOR
   ENDPROC
