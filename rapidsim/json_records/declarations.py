@@ -52,6 +52,19 @@ Lenient: TypeAlias = Annotated[T, ValueForm.LENIENT]
 """A value that saved outputs may lack, because an older version wrote them."""
 
 
+class NumberRange(Enum):
+    """Ranges of numbers."""
+
+    ABOVE_ZERO = "above 0"
+    NOT_NEGATIVE = "not negative"
+    SHARE = "above 0, at most 1"
+
+
+AboveZero: TypeAlias = Annotated[float, NumberRange.ABOVE_ZERO]
+NotNegative: TypeAlias = Annotated[float, NumberRange.NOT_NEGATIVE]
+Share: TypeAlias = Annotated[float, NumberRange.SHARE]
+
+
 @value_class(frozen=True, slots=True)
 class OutputRecord:
     """The object that a command prints with `--format json`."""

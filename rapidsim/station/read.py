@@ -19,7 +19,7 @@ from rapidsim.station.controller import read_robotware_of, read_stubs
 from rapidsim.station.conveyors import read_conveyors
 from rapidsim.station.external_axes import read_external_axes
 from rapidsim.station.grippers import read_grippers, read_smart_grippers
-from rapidsim.station.motion import ConfigurationRule, read_configuration_rule, read_motion
+from rapidsim.station.motion import ConfigurationRule, read_motion
 from rapidsim.station.robot import dropped_bounds, read_robots
 from rapidsim.station.searches import read_searches
 from rapidsim.station.signals import read_crosses, read_signals
@@ -74,10 +74,9 @@ def read_station(file: Path, backup: Station = NO_BACKUP) -> Station:
     reader = Reader(file)
     reader.note_unknown_keys("", table, _KEYS)
     robots = read_robots(reader, table, backup.robots)
-    model, remarks = read_motion(
+    model, configuration, remarks = read_motion(
         reader, reader.table(table, "motion"), reader.table(table, "dynamics")
     )
-    configuration = read_configuration_rule(reader, reader.table(table, "motion"))
     labels = [robot.label for robot in robots] or [None]
     names_arm = bool(robots) and (not backup.robots or robots[0].name != backup.robots[0].name)
     station = Station(
