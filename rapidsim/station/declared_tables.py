@@ -6,8 +6,10 @@ Types and marks of a field determine its valid values; see `json_records/declara
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from typing import Any, Literal, TypeAlias, get_args, get_origin
+from dataclasses import MISSING
+from typing import Any, Literal, TypeAlias, TypeVar, get_args, get_origin
 
+from rapidsim.controller.cell.conditions import Condition, ConditionError, read_condition
 from rapidsim.json_records.declarations import (
     NumberRange,
     RecordField,
@@ -18,6 +20,7 @@ from rapidsim.json_records.declarations import (
 from rapidsim.station.toml_reader import Reader, Table
 from rapidsim.values import value_class
 
+T = TypeVar("T")
 Conversion: TypeAlias = Callable[[Reader, Table, str, str], Any]
 """Returns the value of a key of a table with a path; None if it is missing or invalid."""
 
@@ -45,6 +48,43 @@ def values_of(reader: Reader, kind: type, table: Table, path: str) -> dict[str, 
     return {name: value for name, value in found if value is not None}
 
 
+def read_records(
+    reader: Reader, station: Table, key: str, kind: type[T], missing: str | None = None
+) -> tuple[T, ...]:
+    """Return the records of a list of tables; errors are collected in the reader.
+
+    Args:
+        reader: Reads the file.
+        station: The table that has the list.
+        key: Key of the list.
+        kind: Class of the records.
+        missing: Message where a required value is missing or invalid; None for one per missing key.
+    """
+    records = []
+    for path, table in reader.tables(station, key):
+        found = values_of(reader, kind, table, path)
+        required = _required(kind)
+        if required.keys() <= found.keys():
+            records.append(kind(**found))
+        elif missing:
+            reader.wrong(path, missing)
+        else:
+            reader.require(path, table, required.values())
+    return tuple(records)
+
+
+def read_when(reader: Reader, table: Table, path: str, key: str) -> Condition | None:
+    """Read a condition on signals; None if it is missing or invalid."""
+    text = reader.text(table, path, key)
+    if text is None:
+        return None
+    try:
+        return read_condition(text)
+    except ConditionError as error:
+        reader.wrong(f"{path}.{key}", str(error))
+        return None
+
+
 def none_of(words: Sequence[str]) -> str:
     """Return the problem of a text that is none of some words."""
     if len(words) == 2:
@@ -69,6 +109,11 @@ def _value(reader: Reader, field: RecordField, table: Table, path: str) -> Any:
     if get_origin(type_) is Literal:
         return _word(reader, table, path, key, get_args(type_))
     return reader.numbers(table, path, key, _count(type_))
+
+
+def _required(kind: type) -> dict[str, str]:
+    """Return the keys of the required values by field."""
+    return {one.name: one.key for one in record_fields(kind) if one.default is MISSING}
 
 
 def _count(type_: Any) -> int | None:
@@ -106,6 +151,7 @@ _CONVERSIONS: Mapping[Any, Conversion] = {
     str: Reader.text,
     bool: Reader.flag,
     float: Reader.number,
+    Condition: read_when,
     tuple[str, ...]: Reader.texts,
     NumberRange.NOT_NEGATIVE: Reader.not_negative,
     NumberRange.ABOVE_ZERO: Reader.positive,

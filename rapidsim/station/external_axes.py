@@ -98,7 +98,7 @@ def _read_axis(
     direction = _direction(reader, table, path)
     world_from_user = _world_from_user(reader, table, path, fallback)
     if fallback is None:
-        _note_missing_keys(reader, path, table)
+        reader.require(path, table, ("name", "axis", "kind", "limits", "speed"))
     letter = _one_of(reader, f"{path}.axis", letter, tuple(LETTERS), "none of a, b, c, d, e, f")
     kind = _one_of(
         reader, f"{path}.kind", kind, tuple(_DIRECTIONS), "neither `linear` nor `rotational`"
@@ -144,12 +144,6 @@ def _world_from_user(
         path = f"{path}.frame"
         return read_frame(reader, reader.table(table, "frame", path), path)
     return fallback.world_from_user if fallback else Transform.identity()
-
-
-def _note_missing_keys(reader: Reader, path: str, table: Table) -> None:
-    for key in ("name", "axis", "kind", "limits", "speed"):
-        if key not in table:
-            reader.wrong(f"{path}.{key}", "is missing")
 
 
 def _one_of(

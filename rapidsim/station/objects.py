@@ -36,8 +36,8 @@ from rapidsim.collisions.shape import Filling, Shape
 from rapidsim.files import InputError, did_you_mean
 from rapidsim.frames.transform import Transform
 from rapidsim.motion.configurations.targets import MM
+from rapidsim.station.declared_tables import read_when
 from rapidsim.station.external_axes import read_frame
-from rapidsim.station.signals import read_when
 from rapidsim.station.toml_reader import UNITS_M, Reader, Table
 
 _SHAPES = ("box", "cylinder", "sphere", "capsule", "plane", "mesh")
@@ -123,9 +123,7 @@ def _attachment(
     name = reader.text(table, path, "object")
     to = reader.text(table, path, "to")
     robot = reader.text(table, path, "robot")
-    for key in ("when", "object", "to"):
-        if key not in table:
-            reader.wrong(f"{path}.{key}", "is missing")
+    reader.require(path, table, ("when", "object", "to"))
     if to is not None and to != ParentKind.TOOL:
         reader.wrong(f"{path}.to", f"`{to}` is not `tool`; only a tool carries objects")
     if name is not None and name.lower() not in objects:

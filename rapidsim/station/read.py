@@ -12,11 +12,12 @@ from datetime import datetime
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from rapidsim.controller.cell.conveyors import ConveyorScript
 from rapidsim.controller.cell.description import CellIo
 from rapidsim.station.cameras import read_cameras
 from rapidsim.station.check import read_check
 from rapidsim.station.controller import read_robotware_of, read_stubs
-from rapidsim.station.conveyors import read_conveyors
+from rapidsim.station.declared_tables import read_records
 from rapidsim.station.external_axes import read_external_axes
 from rapidsim.station.grippers import read_grippers, read_smart_grippers
 from rapidsim.station.motion import ConfigurationRule, read_motion
@@ -144,7 +145,7 @@ def _io(reader: Reader, table: Table, backup: CellIo = NO_BACKUP.io) -> CellIo:
         read_stimuli(reader, table),
         read_sockets(reader, table),
         read_cameras(reader, table),
-        read_conveyors(reader, table),
+        read_records(reader, table, "conveyor", ConveyorScript),
         read_grippers(reader, table),
         read_smart_grippers(reader, table),
         read_searches(reader, table),
