@@ -7,7 +7,7 @@ constant value.
 from __future__ import annotations
 
 import dataclasses
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import MISSING
 from enum import Enum
 from functools import cache
@@ -57,12 +57,32 @@ class NumberRange(Enum):
 
     ABOVE_ZERO = "above 0"
     NOT_NEGATIVE = "not negative"
-    SHARE = "above 0, at most 1"
 
 
 AboveZero: TypeAlias = Annotated[float, NumberRange.ABOVE_ZERO]
 NotNegative: TypeAlias = Annotated[float, NumberRange.NOT_NEGATIVE]
-Share: TypeAlias = Annotated[float, NumberRange.SHARE]
+
+
+@value_class(frozen=True, slots=True)
+class Valid:
+    """Condition on a value, and the message for a value that does not satisfy it."""
+
+    holds: Callable[[Any], bool]
+    problem: str
+
+
+def whole_number(least: int, most: int) -> Valid:
+    """Return the condition that a number is whole and within limits, which are included."""
+    problem = f"a whole number from {least} to {most} is needed"
+    return Valid(lambda value: least <= value <= most and value == int(value), problem)
+
+
+@value_class(frozen=True, slots=True)
+class Noun:
+    """Name of the values of an enumeration in messages."""
+
+    text: str
+    folds_case: bool = True
 
 
 @value_class(frozen=True, slots=True)

@@ -7,12 +7,17 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import MISSING
+from enum import EnumType
+from functools import partial
+from pathlib import Path
 from typing import Any, Literal, TypeAlias, TypeVar, get_args, get_origin
 
 from rapidsim.controller.cell.conditions import Condition, ConditionError, read_condition
 from rapidsim.json_records.declarations import (
+    Noun,
     NumberRange,
     RecordField,
+    Valid,
     alternatives,
     marks_of,
     record_fields,
@@ -30,14 +35,6 @@ class ReadBy:
     """Mark of a value that is read by a function."""
 
     read: Conversion
-
-
-@value_class(frozen=True, slots=True)
-class AllAboveZero:
-    """Mark of a list of numbers above 0."""
-
-    subject: str
-    """Name of the numbers in the message."""
 
 
 def values_of(reader: Reader, kind: type, table: Table, path: str) -> dict[str, Any]:
@@ -85,13 +82,6 @@ def read_when(reader: Reader, table: Table, path: str, key: str) -> Condition | 
         return None
 
 
-def none_of(words: Sequence[str]) -> str:
-    """Return the problem of a text that is none of some words."""
-    if len(words) == 2:
-        return f"neither `{words[0]}` nor `{words[1]}`"
-    return f"none of {', '.join(f'`{one}`' for one in words)}"
-
-
 def _value(reader: Reader, field: RecordField, table: Table, path: str) -> Any:
     """Return the value of a field; None if it is missing or invalid."""
     key = field.key
@@ -99,16 +89,26 @@ def _value(reader: Reader, field: RecordField, table: Table, path: str) -> Any:
         return None
     declared, marks = marks_of(field.type)
     type_, inner = marks_of(alternatives(declared)[0][0])
-    for mark in (*marks, *inner, type_):
+    value = _conversion(type_, (*marks, *inner))(reader, table, path, key)
+    for mark in marks:
+        if isinstance(mark, Valid) and value is not None and not mark.holds(value):
+            reader.wrong(f"{path}.{key}", mark.problem)
+            return None
+    return int(value) if type_ is int and value is not None else value
+
+
+def _conversion(type_: Any, marks: tuple[Any, ...]) -> Conversion:
+    for mark in (*marks, type_):
         if isinstance(mark, ReadBy):
-            return mark.read(reader, table, path, key)
-        if isinstance(mark, AllAboveZero):
-            return _all_above_zero(reader, table, path, key, _count(type_), mark.subject)
+            return mark.read
         if mark in _CONVERSIONS:
-            return _CONVERSIONS[mark](reader, table, path, key)
-    if get_origin(type_) is Literal:
-        return _word(reader, table, path, key, get_args(type_))
-    return reader.numbers(table, path, key, _count(type_))
+            return _CONVERSIONS[mark]
+    arguments = get_args(type_)
+    if get_origin(type_) is Literal or isinstance(type_, EnumType):
+        return partial(
+            _choice, of=type_, noun=next((m for m in marks if isinstance(m, Noun)), None)
+        )
+    return partial(Reader.numbers, count=None if Ellipsis in arguments else len(arguments))
 
 
 def _required(kind: type) -> dict[str, str]:
@@ -116,44 +116,51 @@ def _required(kind: type) -> dict[str, str]:
     return {one.name: one.key for one in record_fields(kind) if one.default is MISSING}
 
 
-def _count(type_: Any) -> int | None:
-    """Return the number of items of a tuple; None for any number."""
-    return None if Ellipsis in get_args(type_) else len(get_args(type_))
-
-
-def _all_above_zero(
-    reader: Reader, table: Table, path: str, key: str, count: int | None, subject: str
-) -> tuple[float, ...] | None:
-    numbers = reader.numbers(table, path, key, count)
-    if numbers and min(numbers) <= 0.0:
-        reader.wrong(f"{path}.{key}", f"{subject} must be above 0")
-        return None
-    return numbers
-
-
-def _word(reader: Reader, table: Table, path: str, key: str, words: tuple[str, ...]) -> str | None:
+def _choice(reader: Reader, table: Table, path: str, key: str, of: Any, noun: Noun | None) -> Any:
+    """Return the word or the member of a literal or an enumeration."""
     text = reader.text(table, path, key)
-    if text is None or text in words:
-        return text
-    reader.wrong(f"{path}.{key}", f"`{text}` is {none_of(words)}")
-    return None
-
-
-def _share(reader: Reader, table: Table, path: str, key: str) -> float | None:
-    share = reader.positive(table, path, key)
-    if share is not None and share > 1.0:
-        reader.wrong(f"{path}.{key}", "a share is at most 1")
+    if text is None:
         return None
-    return share
+    words = get_args(of) or tuple(str(one.value) for one in of)
+    word = text.lower() if noun and noun.folds_case else text
+    try:
+        return of(word) if isinstance(of, type) else words[words.index(word)]
+    except ValueError:
+        problem = f"not {noun.text}" if noun else _none_of(words)
+        help = f"known: {', '.join(words)}" if noun else None
+        reader.wrong(f"{path}.{key}", f"`{text}` is {problem}", help)
+        return None
+
+
+def _none_of(words: Sequence[str]) -> str:
+    if len(words) == 2:
+        return f"neither `{words[0]}` nor `{words[1]}`"
+    return f"none of {', '.join(f'`{one}`' for one in words)}"
+
+
+def _bytes(reader: Reader, table: Table, path: str, key: str) -> bytes | None:
+    text = reader.text(table, path, key)
+    try:
+        return None if text is None else text.encode("iso-8859-1")
+    except UnicodeEncodeError:
+        reader.wrong(f"{path}.{key}", "the controller sends ISO 8859-1, which lacks some of this")
+        return None
+
+
+def _path(reader: Reader, table: Table, path: str, key: str) -> Path | None:
+    name = reader.text(table, path, key)
+    return None if name is None else reader.inside(name, f"{path}.{key}")
 
 
 _CONVERSIONS: Mapping[Any, Conversion] = {
     str: Reader.text,
     bool: Reader.flag,
+    bytes: _bytes,
     float: Reader.number,
+    int: Reader.number,
+    Path: _path,
     Condition: read_when,
     tuple[str, ...]: Reader.texts,
     NumberRange.NOT_NEGATIVE: Reader.not_negative,
     NumberRange.ABOVE_ZERO: Reader.positive,
-    NumberRange.SHARE: _share,
 }

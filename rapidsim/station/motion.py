@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import replace
 from enum import StrEnum
 from typing import Annotated
 
-from rapidsim.json_records.declarations import AboveZero, Key, NotNegative, Share
+from rapidsim.json_records.declarations import AboveZero, Key, NotNegative, Valid
 from rapidsim.motion.model import (
     MODELS,
     BlendShape,
@@ -18,12 +19,9 @@ from rapidsim.motion.model import (
     Smoothing,
     Version,
 )
-from rapidsim.station.declared_tables import AllAboveZero, ReadBy, none_of, values_of
+from rapidsim.station.declared_tables import values_of
 from rapidsim.station.toml_reader import Reader, Table
 from rapidsim.values import value_class
-
-_EXACT_BEFORE = "stop"
-"""Name of the rule `exact` in version 0.1."""
 
 
 class ConfigurationRule(StrEnum):
@@ -33,16 +31,14 @@ class ConfigurationRule(StrEnum):
     EXACT = "exact"
     NEAREST = "nearest"
 
+    @classmethod
+    def _missing_(cls, value: object) -> ConfigurationRule | None:
+        """Return the rule of a name of version 0.1."""
+        return cls.EXACT if value == "stop" else None
 
-def _rule(reader: Reader, motion: Table, path: str, key: str) -> ConfigurationRule | None:
-    written = reader.text(motion, path, key)
-    if written == _EXACT_BEFORE:
-        return ConfigurationRule.EXACT
-    if written is None or written in list(ConfigurationRule):
-        return ConfigurationRule(written) if written else None
-    words = none_of([str(rule) for rule in ConfigurationRule])
-    reader.wrong(f"{path}.{key}", f"`{written}` is {words}")
-    return None
+
+def _above_zero(numbers: Sequence[float]) -> bool:
+    return min(numbers) > 0.0
 
 
 @value_class(frozen=True, slots=True)
@@ -52,11 +48,15 @@ class MotionTable:
     version: Annotated[Version | None, Key("model")] = None
     controller: Controller | None = None
     acceleration_time: AboveZero | None = None
-    acceleration: Annotated[tuple[float, ...] | None, AllAboveZero("accelerations")] = None
+    acceleration: Annotated[
+        tuple[float, ...] | None, Valid(_above_zero, "accelerations must be above 0")
+    ] = None
     """[deg/s2]."""
     payload_acceleration: AboveZero | None = None
     max_speed: Annotated[
-        tuple[float, ...] | None, Key("axis_speed"), AllAboveZero("axis speeds")
+        tuple[float, ...] | None,
+        Key("axis_speed"),
+        Valid(_above_zero, "axis speeds must be above 0"),
     ] = None
     """[deg/s]."""
     filter_time: NotNegative | None = None
@@ -66,16 +66,20 @@ class MotionTable:
     parabola_acceleration: AboveZero | None = None
     orientation_zone: OrientationZone | None = None
     accelerations_kept_by: Keeper | None = None
-    configuration: Annotated[ConfigurationRule, ReadBy(_rule)] = ConfigurationRule.COMPLIANT
+    configuration: ConfigurationRule = ConfigurationRule.COMPLIANT
     """Tolerance of a stored configuration, and the effect of a violation."""
-    zone_share: Share | None = None
+    zone_share: Annotated[
+        AboveZero | None, Valid(lambda share: share <= 1.0, "a share is at most 1")
+    ] = None
 
 
 @value_class(frozen=True, slots=True)
 class DynamicsTable:
     """The table [dynamics]: factors on the assumed dynamics of the arm."""
 
-    torque: Annotated[tuple[float, float, float] | None, AllAboveZero("factors")] = None
+    torque: Annotated[
+        tuple[float, float, float] | None, Valid(_above_zero, "factors must be above 0")
+    ] = None
     wrist: AboveZero | None = None
 
 
