@@ -45,28 +45,15 @@ def values_of(reader: Reader, kind: type, table: Table, path: str) -> dict[str, 
     return {name: value for name, value in found if value is not None}
 
 
-def read_records(
-    reader: Reader, station: Table, key: str, kind: type[T], missing: str | None = None
-) -> tuple[T, ...]:
-    """Return the records of a list of tables; errors are collected in the reader.
-
-    Args:
-        reader: Reads the file.
-        station: The table that has the list.
-        key: Key of the list.
-        kind: Class of the records.
-        missing: Message where a required value is missing or invalid; None for one per missing key.
-    """
+def read_records(reader: Reader, station: Table, key: str, kind: type[T]) -> tuple[T, ...]:
+    """Return the records of a list of tables; errors are collected in the reader."""
+    required = _required(kind)
     records = []
     for path, table in reader.tables(station, key):
         found = values_of(reader, kind, table, path)
-        required = _required(kind)
+        reader.require(path, table, required.values())
         if required.keys() <= found.keys():
             records.append(kind(**found))
-        elif missing:
-            reader.wrong(path, missing)
-        else:
-            reader.require(path, table, required.values())
     return tuple(records)
 
 
@@ -85,6 +72,7 @@ def read_when(reader: Reader, table: Table, path: str, key: str) -> Condition | 
 def _value(reader: Reader, field: RecordField, table: Table, path: str) -> Any:
     """Return the value of a field; None if it is missing or invalid."""
     key = field.key
+    # An empty text in place of a text with a default is that default.
     if key not in table or (table[key] == "" and isinstance(field.default, str)):
         return None
     declared, marks = marks_of(field.type)
