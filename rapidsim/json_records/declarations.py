@@ -7,7 +7,7 @@ constant value.
 from __future__ import annotations
 
 import dataclasses
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import MISSING
 from enum import Enum
 from functools import cache
@@ -50,6 +50,39 @@ OrAbsent: TypeAlias = Annotated[T | None, ValueForm.OPTIONAL]
 """A value whose key is omitted where it is None."""
 Lenient: TypeAlias = Annotated[T, ValueForm.LENIENT]
 """A value that saved outputs may lack, because an older version wrote them."""
+
+
+class NumberRange(Enum):
+    """Ranges of numbers."""
+
+    ABOVE_ZERO = "above 0"
+    NOT_NEGATIVE = "not negative"
+
+
+AboveZero: TypeAlias = Annotated[float, NumberRange.ABOVE_ZERO]
+NotNegative: TypeAlias = Annotated[float, NumberRange.NOT_NEGATIVE]
+
+
+@value_class(frozen=True, slots=True)
+class Valid:
+    """Condition on a value, and the message for a value that does not satisfy it."""
+
+    holds: Callable[[Any], bool]
+    problem: str
+
+
+def whole_number(least: int, most: int) -> Valid:
+    """Return the condition that a number is whole and within limits, which are included."""
+    problem = f"a whole number from {least} to {most} is needed"
+    return Valid(lambda value: least <= value <= most and value == int(value), problem)
+
+
+@value_class(frozen=True, slots=True)
+class Noun:
+    """Name of the values of an enumeration in messages."""
+
+    text: str
+    folds_case: bool = True
 
 
 @value_class(frozen=True, slots=True)

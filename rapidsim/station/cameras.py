@@ -31,15 +31,13 @@ def read_cameras(reader: Reader, tables: Table) -> tuple[CameraScript, ...]:
         if not name:
             reader.wrong(f"{path}.name", "is missing")
             continue
-        repeats = table.get("repeat", False)
-        if not isinstance(repeats, bool):
-            reader.wrong(f"{path}.repeat", "true or false is needed")
+        repeats = reader.flag(table, path, "repeat")
         scripts.append(
             CameraScript(
                 name,
                 _pictures(reader, table, path, name),
                 reader.not_negative(table, path, "after") or 0.0,
-                repeats is True,
+                repeats,
                 tuple(_parameters(reader, table, path)),
             )
         )

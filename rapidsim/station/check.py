@@ -4,44 +4,58 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from pathlib import Path
+from typing import Annotated
 
 from rapidsim.diagnostics import Severity
 from rapidsim.files import input_bytes, require_inside
+from rapidsim.json_records.declarations import AboveZero, Key, Noun
+from rapidsim.station.declared_tables import ReadBy, values_of
 from rapidsim.station.toml_reader import Reader, Table, read_toml
 from rapidsim.values import value_class
 
 PROJECT_FILE = "pyproject.toml"
 
-_KEYS = (
-    *("select", "extend-select", "ignore", "per-file-ignores", "fail-on", "baseline"),
-    *("cycle-budget", "assume-missing", "strict"),
-)
+
+def _per_file_ignores(
+    reader: Reader, check: Table, path: str, key: str
+) -> tuple[tuple[str, tuple[str, ...]], ...]:
+    path = f"{path}.{key}"
+    table = reader.table(check, key, path)
+    return tuple((pattern, reader.texts(table, path, pattern)) for pattern in table)
 
 
 @value_class(frozen=True, slots=True)
-class CheckSettings:
-    """Settings of a check. Selectors are codes, prefixes of codes, or names of rules."""
+class CheckTable:
+    """The table [check]. Selectors are codes, prefixes of codes, or names of rules."""
 
-    file: Path | None = None
-    """File of the settings; None for the defaults."""
     select: tuple[str, ...] = ()
     """Rules to check; empty for those that are on by default."""
-    extend_select: tuple[str, ...] = ()
+    extend_select: Annotated[tuple[str, ...], Key("extend-select")] = ()
     """Additional rules."""
     ignore: tuple[str, ...] = ()
     """Excluded rules."""
-    per_file_ignores: tuple[tuple[str, tuple[str, ...]], ...] = ()
+    per_file_ignores: Annotated[
+        tuple[tuple[str, tuple[str, ...]], ...], Key("per-file-ignores"), ReadBy(_per_file_ignores)
+    ] = ()
     """Patterns such as `*Data.mod`, with the rules excluded in files whose name or path matches."""
-    fail_on: Severity | None = None
+    fail_on: Annotated[Severity | None, Key("fail-on"), Noun("a severity", folds_case=False)] = None
     """Lowest severity that sets exit code 1; None for warnings."""
     baseline: Path | None = None
     """File of known findings."""
-    cycle_budget_s: float | None = None
+    cycle_budget_s: Annotated[AboveZero | None, Key("cycle-budget")] = None
     """Time limit [s] of one cycle of main; beyond it `check` reports a finding, `run` fails."""
-    assume_missing: bool = False
+    assume_missing: Annotated[bool, Key("assume-missing")] = False
     """Whether undeclared names are assumed to exist."""
     strict: bool = False
     """Whether unknown, unsimulated and unchecked parts fail, too."""
+
+
+@value_class(frozen=True, slots=True)
+class CheckSettings(CheckTable):
+    """Settings of a check."""
+
+    file: Path | None = None
+    """File of the settings; None for the defaults."""
 
     @property
     def fails_from(self) -> Severity:
@@ -51,24 +65,7 @@ class CheckSettings:
 
 def read_check(reader: Reader, check: Table, path: str = "check") -> CheckSettings:
     """Read the table; errors are collected in the reader."""
-    reader.note_unknown_keys(path, check, _KEYS)
-    ignores = reader.table(check, "per-file-ignores", f"{path}.per-file-ignores")
-    baseline = reader.text(check, path, "baseline")
-    return CheckSettings(
-        file=reader.file,
-        select=reader.texts(check, path, "select"),
-        extend_select=reader.texts(check, path, "extend-select"),
-        ignore=reader.texts(check, path, "ignore"),
-        per_file_ignores=tuple(
-            (pattern, reader.texts(ignores, f"{path}.per-file-ignores", pattern))
-            for pattern in ignores
-        ),
-        fail_on=_severity(reader, check, path),
-        baseline=None if baseline is None else reader.inside(baseline, f"{path}.baseline"),
-        cycle_budget_s=reader.positive(check, path, "cycle-budget"),
-        assume_missing=reader.flag(check, path, "assume-missing"),
-        strict=reader.flag(check, path, "strict"),
-    )
+    return CheckSettings(file=reader.file, **values_of(reader, CheckTable, check, path))
 
 
 def find_project_settings(paths: Iterable[str]) -> CheckSettings | None:
@@ -97,14 +94,3 @@ def find_project_settings(paths: Iterable[str]) -> CheckSettings | None:
             return settings
         return None
     return None
-
-
-def _severity(reader: Reader, check: Table, path: str) -> Severity | None:
-    text = reader.text(check, path, "fail-on")
-    if text is None:
-        return None
-    names = [severity.value for severity in Severity]
-    if text not in names:
-        reader.wrong(f"{path}.fail-on", f"`{text}` is not a severity", f"known: {', '.join(names)}")
-        return None
-    return Severity(text)

@@ -4,24 +4,16 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from typing import Annotated
 
 from rapidsim.frames.transform import Transform
+from rapidsim.json_records.declarations import AboveZero, Valid
 from rapidsim.motion.configurations.targets import MM
 from rapidsim.motion.robot.external_axes import LETTERS, Carried, ExternalAxis
+from rapidsim.station.declared_tables import ReadBy, values_of
 from rapidsim.station.toml_reader import Reader, Table
+from rapidsim.values import value_class
 
-_KEYS = (
-    "name",
-    "axis",
-    "kind",
-    "limits",
-    "speed",
-    "acceleration",
-    "start",
-    "carries",
-    "direction",
-    "frame",
-)
 _FRAME_KEYS = ("position", "quaternion")
 _DIRECTIONS = {"linear": (1.0, 0.0, 0.0), "rotational": (0.0, 0.0, 1.0)}
 """The direction of an axis without `direction`, by its kind."""
@@ -77,6 +69,36 @@ def read_frame(reader: Reader, table: Table, path: str) -> Transform:
     return Transform.from_quaternion(quaternion, [x * MM for x in position])
 
 
+def _frame(reader: Reader, table: Table, path: str, key: str) -> Transform:
+    return read_frame(reader, reader.table(table, key, f"{path}.{key}"), f"{path}.{key}")
+
+
+def _is_direction(direction: Sequence[float]) -> bool:
+    return math.hypot(*direction) >= 1e-6
+
+
+@value_class(frozen=True, slots=True)
+class AxisTable:
+    """A table [[external_axis]]; lengths are in mm, angles in degrees."""
+
+    name: str | None = None
+    axis: str | None = None
+    kind: str | None = None
+    limits: Annotated[
+        tuple[float, float] | None,
+        Valid(lambda pair: pair[0] < pair[1], "the first must be below the second"),
+    ] = None
+    speed: AboveZero | None = None
+    acceleration: AboveZero | None = None
+    start: float = 0.0
+    carries: Carried | None = None
+    direction: Annotated[
+        tuple[float, float, float] | None,
+        Valid(_is_direction, "a direction must not be all zeros"),
+    ] = None
+    frame: Annotated[Transform | None, ReadBy(_frame)] = None
+
+
 def _read_axis(
     reader: Reader,
     path: str,
@@ -84,72 +106,43 @@ def _read_axis(
     acceleration_time: float,
     fallback: ExternalAxis | None,
 ) -> ExternalAxis | None:
-    reader.note_unknown_keys(path, table, _KEYS)
-    name = reader.text(table, path, "name")
-    letter = reader.text(table, path, "axis")
-    kind = reader.text(table, path, "kind")
+    found = AxisTable(**values_of(reader, AxisTable, table, path))
+    letter, kind, limits, speed = found.axis, found.kind, found.limits, found.speed
+    acceleration, carries, direction = found.acceleration, found.carries, found.direction
     if fallback is not None:
         letter, of_known = fallback.letter, "linear" if fallback.linear else "rotational"
         fallback, kind = (fallback if kind in (None, of_known) else None), kind or of_known
-    limits = reader.numbers(table, path, "limits", 2)
-    speed = reader.positive(table, path, "speed")
-    acceleration = reader.positive(table, path, "acceleration")
-    carries = _carries(reader, table, path, fallback)
-    direction = _direction(reader, table, path)
-    world_from_user = _world_from_user(reader, table, path, fallback)
     if fallback is None:
-        _note_missing_keys(reader, path, table)
+        reader.require(path, table, ("name", "axis", "kind", "limits", "speed"))
     letter = _one_of(reader, f"{path}.axis", letter, tuple(LETTERS), "none of a, b, c, d, e, f")
     kind = _one_of(
         reader, f"{path}.kind", kind, tuple(_DIRECTIONS), "neither `linear` nor `rotational`"
     )
-    limits = _rising(reader, f"{path}.limits", limits)
+    frame = found.frame
     if fallback is not None:
         scale = _unit(linear=fallback.linear)
         limits = limits or (fallback.lower / scale, fallback.upper / scale)
         acceleration = acceleration or fallback.max_acceleration / scale
         speed, direction = speed or fallback.max_speed / scale, direction or fallback.direction
-    if name is None or letter is None or kind is None or limits is None or speed is None:
+        carries = carries if "carries" in table else fallback.carries
+        frame = frame or fallback.world_from_user
+    if found.name is None or letter is None or kind is None or limits is None or speed is None:
         return None
     linear = kind == "linear"
     scale = _unit(linear=linear)
-    x, y, z = direction or _DIRECTIONS[kind]
     return ExternalAxis(
-        unit=name,
+        unit=found.name,
         letter=letter,
         linear=linear,
         lower=limits[0] * scale,
         upper=limits[1] * scale,
         max_speed=speed * scale,
         max_acceleration=(acceleration or speed / acceleration_time) * scale,
-        start=(reader.number(table, path, "start") or 0.0) * scale,
+        start=found.start * scale,
         carries=carries,
-        direction=(x, y, z),
-        world_from_user=world_from_user,
+        direction=direction or _DIRECTIONS[kind],
+        world_from_user=frame or Transform.identity(),
     )
-
-
-def _direction(reader: Reader, table: Table, path: str) -> tuple[float, ...] | None:
-    direction = reader.numbers(table, path, "direction", 3)
-    if direction is not None and math.hypot(*direction) < 1e-6:
-        reader.wrong(f"{path}.direction", "a direction must not be all zeros")
-        return None
-    return direction
-
-
-def _world_from_user(
-    reader: Reader, table: Table, path: str, fallback: ExternalAxis | None
-) -> Transform:
-    if "frame" in table:
-        path = f"{path}.frame"
-        return read_frame(reader, reader.table(table, "frame", path), path)
-    return fallback.world_from_user if fallback else Transform.identity()
-
-
-def _note_missing_keys(reader: Reader, path: str, table: Table) -> None:
-    for key in ("name", "axis", "kind", "limits", "speed"):
-        if key not in table:
-            reader.wrong(f"{path}.{key}", "is missing")
 
 
 def _one_of(
@@ -161,35 +154,9 @@ def _one_of(
     return None
 
 
-def _rising(
-    reader: Reader, path: str, limits: tuple[float, ...] | None
-) -> tuple[float, ...] | None:
-    if limits is not None and limits[0] >= limits[1]:
-        reader.wrong(path, "the first must be below the second")
-        return None
-    return limits
-
-
 def _unit(*, linear: bool) -> float:
     """The unit of the file [m or rad]."""
     return MM if linear else math.radians(1.0)
-
-
-def _carries(
-    reader: Reader, table: Table, path: str, fallback: ExternalAxis | None
-) -> Carried | None:
-    if fallback and "carries" not in table:
-        return fallback.carries
-    match reader.text(table, path, "carries"):
-        case "robot":
-            return "robot"
-        case "wobj":
-            return "wobj"
-        case None:
-            return None
-        case other:
-            reader.wrong(f"{path}.carries", f"`{other}` is neither `robot` nor `wobj`")
-            return None
 
 
 def _refuse_twice(reader: Reader, letters: Sequence[str]) -> None:

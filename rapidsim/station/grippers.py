@@ -16,7 +16,7 @@ object = 12
 from __future__ import annotations
 
 from rapidsim.controller.cell.description import DescribedFingers, Gripper
-from rapidsim.station.signals import read_when
+from rapidsim.station.declared_tables import read_when
 from rapidsim.station.toml_reader import Reader, Table
 
 _KEYS = ("name", "close", "closed", "at", "load", "task")

@@ -17,6 +17,7 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 from dataclasses import replace
+from typing import Annotated
 
 import numpy as np
 
@@ -35,10 +36,12 @@ from rapidsim.collisions.meshes.read import IN_METRES, read_mesh
 from rapidsim.collisions.shape import Filling, Shape
 from rapidsim.files import InputError, did_you_mean
 from rapidsim.frames.transform import Transform
+from rapidsim.json_records.declarations import Key, NotNegative
 from rapidsim.motion.configurations.targets import MM
+from rapidsim.station.declared_tables import ReadBy, read_when, values_of
 from rapidsim.station.external_axes import read_frame
-from rapidsim.station.signals import read_when
 from rapidsim.station.toml_reader import UNITS_M, Reader, Table
+from rapidsim.values import value_class
 
 _SHAPES = ("box", "cylinder", "sphere", "capsule", "plane", "mesh")
 _KEYS = ("name", *_SHAPES, "unit", "scale", "filling", "pose", "parent", "robot", "colour")
@@ -69,39 +72,16 @@ def read_geometry(reader: Reader, station: Table) -> CellGeometry | None:
         for path, table in reader.tables(station, "attach")
         if (one := _attachment(reader, path, table, [*objects])) is not None
     ]
-    return _settings(
-        reader,
-        reader.table(station, "collisions"),
-        CellGeometry(tuple(objects.values()), tuple(attachments)),
-    )
+    table = reader.table(station, "collisions")
+    settings = values_of(reader, CollisionsTable, table, "collisions")
+    clearance_m = settings.pop("clearance_mm", 0.0) * MM
+    bodies = CellGeometry(tuple(objects.values()), tuple(attachments), clearance_m=clearance_m)
+    return replace(bodies, **settings)
 
 
-def _settings(reader: Reader, table: Table, geometry: CellGeometry) -> CellGeometry:
-    """Read the table [collisions]."""
-    reader.note_unknown_keys(
-        "collisions", table, ("clearance", "stop-on-collision", "own-links", "ignore")
-    )
-    clearance = reader.not_negative(table, "collisions", "clearance")
-    return replace(
-        geometry,
-        clearance_m=(clearance or 0.0) * MM,
-        stops=_flag(reader, table, "stop-on-collision", False),
-        own_links=_flag(reader, table, "own-links", True),
-        ignored=_ignored(reader, table),
-    )
-
-
-def _flag(reader: Reader, table: Table, key: str, default: bool) -> bool:
-    value = table.get(key, default)
-    if not isinstance(value, bool):
-        reader.wrong(f"collisions.{key}", "true or false is needed")
-        return default
-    return value
-
-
-def _ignored(reader: Reader, table: Table) -> tuple[IgnoredPair, ...]:
+def _ignored(reader: Reader, table: Table, _: str, key: str) -> tuple[IgnoredPair, ...]:
     pairs = []
-    for path, pair in reader.tables(table, "ignore"):
+    for path, pair in reader.tables(table, key):
         path = f"collisions.{path}"
         reader.note_unknown_keys(path, pair, ("between", "reason"))
         between = reader.texts(pair, path, "between")
@@ -115,6 +95,16 @@ def _ignored(reader: Reader, table: Table) -> tuple[IgnoredPair, ...]:
     return tuple(pairs)
 
 
+@value_class(frozen=True, slots=True)
+class CollisionsTable:
+    """The table [collisions]: settings of a `CellGeometry`."""
+
+    clearance_mm: Annotated[NotNegative, Key("clearance")] = 0.0
+    stops: Annotated[bool, Key("stop-on-collision")] = False
+    own_links: Annotated[bool, Key("own-links")] = True
+    ignored: Annotated[tuple[IgnoredPair, ...], Key("ignore"), ReadBy(_ignored)] = ()
+
+
 def _attachment(
     reader: Reader, path: str, table: Table, objects: Sequence[str]
 ) -> Attachment | None:
@@ -123,9 +113,7 @@ def _attachment(
     name = reader.text(table, path, "object")
     to = reader.text(table, path, "to")
     robot = reader.text(table, path, "robot")
-    for key in ("when", "object", "to"):
-        if key not in table:
-            reader.wrong(f"{path}.{key}", "is missing")
+    reader.require(path, table, ("when", "object", "to"))
     if to is not None and to != ParentKind.TOOL:
         reader.wrong(f"{path}.to", f"`{to}` is not `tool`; only a tool carries objects")
     if name is not None and name.lower() not in objects:

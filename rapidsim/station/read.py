@@ -12,14 +12,15 @@ from datetime import datetime
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from rapidsim.controller.cell.conveyors import ConveyorScript
 from rapidsim.controller.cell.description import CellIo
 from rapidsim.station.cameras import read_cameras
 from rapidsim.station.check import read_check
 from rapidsim.station.controller import read_robotware_of, read_stubs
-from rapidsim.station.conveyors import read_conveyors
+from rapidsim.station.declared_tables import read_records
 from rapidsim.station.external_axes import read_external_axes
 from rapidsim.station.grippers import read_grippers, read_smart_grippers
-from rapidsim.station.motion import ConfigurationRule, read_configuration_rule, read_motion
+from rapidsim.station.motion import ConfigurationRule, read_motion
 from rapidsim.station.robot import dropped_bounds, read_robots
 from rapidsim.station.searches import read_searches
 from rapidsim.station.signals import read_crosses, read_signals
@@ -74,10 +75,9 @@ def read_station(file: Path, backup: Station = NO_BACKUP) -> Station:
     reader = Reader(file)
     reader.note_unknown_keys("", table, _KEYS)
     robots = read_robots(reader, table, backup.robots)
-    model, remarks = read_motion(
+    model, configuration, remarks = read_motion(
         reader, reader.table(table, "motion"), reader.table(table, "dynamics")
     )
-    configuration = read_configuration_rule(reader, reader.table(table, "motion"))
     labels = [robot.label for robot in robots] or [None]
     names_arm = bool(robots) and (not backup.robots or robots[0].name != backup.robots[0].name)
     station = Station(
@@ -145,7 +145,7 @@ def _io(reader: Reader, table: Table, backup: CellIo = NO_BACKUP.io) -> CellIo:
         read_stimuli(reader, table),
         read_sockets(reader, table),
         read_cameras(reader, table),
-        read_conveyors(reader, table),
+        read_records(reader, table, "conveyor", ConveyorScript),
         read_grippers(reader, table),
         read_smart_grippers(reader, table),
         read_searches(reader, table),

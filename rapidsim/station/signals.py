@@ -15,7 +15,6 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from rapidsim.controller.cell.conditions import Condition, ConditionError, read_condition
 from rapidsim.controller.cell.description import (
     FIRST_ROBOT,
     GROUP_WIDTH,
@@ -24,6 +23,7 @@ from rapidsim.controller.cell.description import (
     SignalKind,
     Status,
 )
+from rapidsim.station.declared_tables import read_when
 from rapidsim.station.toml_reader import Reader, Table, is_number
 
 _KEYS = ("type", "value", "width", "min", "max", "system", "task", "unit")
@@ -81,18 +81,6 @@ def read_crosses(
             reader.wrong(f"cross {number + 1}", f"`{cross.result}` depends on itself")
     results = {cross.result.lower() for cross in crosses}
     return (*(cross for cross in defaults if cross.result.lower() not in results), *crosses)
-
-
-def read_when(reader: Reader, table: Table, path: str, key: str) -> Condition | None:
-    """Read a condition on signals; None if it is missing or invalid."""
-    text = reader.text(table, path, key)
-    if text is None:
-        return None
-    try:
-        return read_condition(text)
-    except ConditionError as error:
-        reader.wrong(f"{path}.{key}", str(error))
-        return None
 
 
 def _signal(

@@ -14,10 +14,10 @@ from __future__ import annotations
 import re
 
 from rapidsim.controller.cell.socket_scripts import SocketScript, SocketStep
+from rapidsim.station.declared_tables import values_of
 from rapidsim.station.toml_reader import Reader, Table
 
 _KEYS = ("accept", "connect", "udp", "after", "steps", "repeat", "reconnect")
-_STEP_KEYS = ("expect", "after", "send", "close")
 _PORT = re.compile("[0-9]{1,5}")
 _LARGEST_PORT = 65535
 
@@ -37,13 +37,13 @@ def read_sockets(reader: Reader, tables: Table) -> tuple[SocketScript, ...]:
                 if key in table:
                     reader.wrong(f"{path}.{key}", "only for peers that `connect`")
         steps = _steps(reader, path, table)
-        is_datagrams = _switch(reader, table, path, "udp")
+        is_datagrams = reader.flag(table, path, "udp")
         if is_datagrams:
             if "reconnect" in table:
                 reader.wrong(f"{path}.reconnect", "datagrams need no connection")
             if any(step.close for step in steps):
                 reader.wrong(f"{path}.steps", "no connection can be closed: `udp` has none")
-        repeats = _switch(reader, table, path, "repeat")
+        repeats = reader.flag(table, path, "repeat")
         if repeats and not any(step.expect or step.after_s for step in steps):
             reader.wrong(f"{path}.repeat", "a step must `expect` something or wait with `after`")
         scripts.append(
@@ -55,7 +55,7 @@ def read_sockets(reader: Reader, tables: Table) -> tuple[SocketScript, ...]:
                 address=address,
                 after_s=reader.not_negative(table, path, "after") or 0.0,
                 repeats=repeats,
-                reconnects=_switch(reader, table, path, "reconnect"),
+                reconnects=reader.flag(table, path, "reconnect"),
             )
         )
     return tuple(scripts)
@@ -77,32 +77,8 @@ def _steps(reader: Reader, path: str, table: Table) -> tuple[SocketStep, ...]:
     steps = []
     for place, step in reader.tables(table, "steps"):
         here = f"{path}.{place}"
-        reader.note_unknown_keys(here, step, _STEP_KEYS)
+        found = values_of(reader, SocketStep, step, here)
         if not step:
             reader.wrong(here, 'give what happens, as in { expect = "GET", send = "12" }')
-        steps.append(
-            SocketStep(
-                expect=_bytes(reader, step, here, "expect"),
-                after_s=reader.not_negative(step, here, "after") or 0.0,
-                send=_bytes(reader, step, here, "send"),
-                close=_switch(reader, step, here, "close"),
-            )
-        )
+        steps.append(SocketStep(**found))
     return tuple(steps)
-
-
-def _bytes(reader: Reader, table: Table, path: str, key: str) -> bytes:
-    text = reader.text(table, path, key) or ""
-    try:
-        return text.encode("iso-8859-1")
-    except UnicodeEncodeError:
-        reader.wrong(f"{path}.{key}", "the controller sends ISO 8859-1, which lacks some of this")
-        return b""
-
-
-def _switch(reader: Reader, table: Table, path: str, key: str) -> bool:
-    value = table.get(key, False)
-    if not isinstance(value, bool):
-        reader.wrong(f"{path}.{key}", "true or false is needed")
-        return False
-    return value

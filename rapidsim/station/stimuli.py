@@ -10,7 +10,7 @@ pulse = 2.0
 from __future__ import annotations
 
 from rapidsim.controller.cell.description import Stimulus
-from rapidsim.station.signals import read_when
+from rapidsim.station.declared_tables import read_when
 from rapidsim.station.toml_reader import Reader, Table, is_number
 
 _KEYS = ("at", "every", "when", "after", "set", "pulse")

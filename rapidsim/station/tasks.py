@@ -22,7 +22,7 @@ from pathlib import Path
 
 from rapidsim.controller.cell.message_queues import QueueSettings
 from rapidsim.files import did_you_mean
-from rapidsim.station.message_queues import read_queue
+from rapidsim.station.declared_tables import values_of
 from rapidsim.station.task_kind import TaskKind
 from rapidsim.station.toml_reader import Reader, Table
 from rapidsim.values import value_class
@@ -117,9 +117,20 @@ def _read_task(
         robot=robot,
         robot_number=None if robot or motion is False else known.robot_number,
         entry=reader.text(task, path, "entry") or known.entry,
-        queue=read_queue(reader, path, task, known.queue),
+        queue=_queue(reader, path, task, known.queue),
         refers_late=checks is False,
     )
+
+
+def _queue(
+    reader: Reader, path: str, task: Table, default: QueueSettings | None
+) -> QueueSettings | None:
+    """Read the message queue, completed from that of a backup; None without either."""
+    if "rmq" not in task:
+        return default
+    path = f"{path}.rmq"
+    found = values_of(reader, QueueSettings, reader.table(task, "rmq", path), path)
+    return replace(default or QueueSettings(), **found)
 
 
 def _kind(reader: Reader, path: str, task: Table) -> TaskKind:

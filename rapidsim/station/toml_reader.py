@@ -59,6 +59,12 @@ class Reader:
                 help = did_you_mean(key, keys) or f"known here: {', '.join(keys)}"
                 self.wrong(f"{path}.{key}" if path else key, "no such key", help)
 
+    def require(self, path: str, table: Table, keys: Iterable[str]) -> None:
+        """Record the keys that a table lacks as errors."""
+        for key in keys:
+            if key not in table:
+                self.wrong(f"{path}.{key}", "is missing")
+
     def table(self, values: Table, key: str, path: str | None = None) -> Table:
         """Return a table; empty if it is missing."""
         table = values.get(key, {})

@@ -10,12 +10,14 @@ import pytest
 from command_line import call
 
 from rapidsim.controller.cell.description import SignalKind, Status
-from rapidsim.controller.cell.message_queues import QueueMode, QueueType
+from rapidsim.controller.cell.message_queues import QueueMode, QueueSettings, QueueType
 from rapidsim.frames.transform import Transform
+from rapidsim.json_records.declarations import record_fields
 from rapidsim.language.robotware import RobotWare
 from rapidsim.module_files import backup_among
-from rapidsim.station import controller, external_axes, message_queues, robot, signals, tasks
+from rapidsim.station import controller, robot, signals, tasks
 from rapidsim.station.backup.backup import backup_station
+from rapidsim.station.external_axes import AxisTable
 from rapidsim.station.read import read_station
 from rapidsim.station.station import Station
 from rapidsim.station.task_kind import TaskKind
@@ -211,9 +213,9 @@ def test_the_backup_says_something_of_every_part(tmp_path: Path) -> None:
 
 def test_every_key_is_tried() -> None:
     assert set(SAID["robot"]) == set(robot._KEYS)
-    assert set(SAID["external_axis"]) == set(external_axes._KEYS)
+    assert set(SAID["external_axis"]) == {one.key for one in record_fields(AxisTable)}
     assert {*SAID["task"], "rmq"} == set(tasks._KEYS)
-    assert set(SAID["rmq"]) == set(message_queues._KEYS)
+    assert set(SAID["rmq"]) == {one.key for one in record_fields(QueueSettings)}
     assert set(SIGNALS) == set(signals._KEYS)
     assert {"robotware", "stubs"} <= set(controller._KEYS)
 

@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import math
+from typing import Annotated
 
+from rapidsim.json_records.declarations import AboveZero, Key, NotNegative
 from rapidsim.values import value_class
 
 MM_BEHIND = 1e-6
@@ -11,16 +13,16 @@ MM_BEHIND = 1e-6
 
 @value_class(frozen=True, slots=True)
 class ConveyorScript:
-    """Arrival of objects on a conveyor; plain data, read from the station file."""
+    """Arrival of objects on a conveyor: a table [[conveyor]] of the station file."""
 
     unit: str
     """Name of its mechanical unit."""
-    speed_mm_s: float
-    first_s: float
+    speed_mm_s: Annotated[AboveZero, Key("speed")]
+    first_s: Annotated[NotNegative, Key("at")] = 0.0
     """Time [s] at which the first object passes the synchronisation switch."""
-    every_s: float | None = None
+    every_s: Annotated[AboveZero | None, Key("every")] = None
     """Time from one object to the next; None if there is only one."""
-    length_mm: float = math.inf
+    length_mm: Annotated[AboveZero, Key("length")] = math.inf
     """An object that travels this far without being taken is lost."""
 
 

@@ -12,7 +12,9 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import field
 from enum import StrEnum
+from typing import Annotated
 
+from rapidsim.json_records.declarations import Key, Noun, whole_number
 from rapidsim.language.error_numbers import (
     ERR_RMQ_FULL,
     ERR_RMQ_INVALID,
@@ -45,13 +47,13 @@ class QueueMode(StrEnum):
 
 @value_class(frozen=True, slots=True)
 class QueueSettings:
-    """Settings of a task's queue as in the system parameters."""
+    """Settings of a task's queue as in the system parameters: `rmq` of a table [[task]]."""
 
-    type: QueueType = QueueType.REMOTE
-    mode: QueueMode | None = None
+    type: Annotated[QueueType, Noun("a type")] = QueueType.REMOTE
+    mode: Annotated[QueueMode | None, Noun("a mode")] = None
     """None if not configured: then it follows from the instructions that the program uses."""
-    max_bytes: int = LEAST_BYTES
-    max_messages: int = 5
+    max_bytes: Annotated[int, Key("size"), whole_number(LEAST_BYTES, MOST_BYTES)] = LEAST_BYTES
+    max_messages: Annotated[int, Key("messages"), whole_number(1, MOST_MESSAGES)] = 5
 
 
 class DeliveryResult(StrEnum):

@@ -5,16 +5,19 @@ Plain data, read from the station file or the file that `--io` names.
 
 from __future__ import annotations
 
+from typing import Annotated
+
+from rapidsim.json_records.declarations import Key, NotNegative
 from rapidsim.values import value_class
 
 
 @value_class(frozen=True, slots=True)
 class SocketStep:
-    """One step of a script: wait for data of the program, wait a while, then act."""
+    """One of the `steps` of a [[socket]]: wait for data of the program, wait a while, then act."""
 
     expect: bytes = b""
     """The step waits until the program has sent this; anything before it is skipped."""
-    after_s: float = 0.0
+    after_s: Annotated[NotNegative, Key("after")] = 0.0
     send: bytes = b""
     close: bool = False
     """End the connection."""
