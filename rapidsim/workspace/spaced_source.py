@@ -1,4 +1,4 @@
-"""Text of a file with room behind each routine, so that places stay when a routine grows.
+"""Text of a file with room behind each item, so that places stay when an item grows.
 
 Nodes hold offsets. If these counted the characters of the file, a character typed at its top would
 move all nodes. In a spaced text they are addresses: an edit in a routine uses up some of the room
@@ -69,9 +69,10 @@ class SpacedSource(Source):
 
     def offsets(self, start: int, end: int) -> tuple[int, int]:
         """Offsets in the file of the addresses of a range."""
-        piece = bisect_right(self._addresses, start) - 1
-        shift = self._starts[piece] - self._addresses[piece]
-        if start <= end <= self._end(piece) - shift:
+        behind = bisect_right(self._addresses, start)
+        shift = self._starts[behind - 1] - self._addresses[behind - 1]
+        # Most spans lie in a piece that is not the last.
+        if behind < len(self._starts) and start <= end <= self._starts[behind] - shift:
             return start + shift, end + shift
         return self.offset(start), self.offset(end)
 
