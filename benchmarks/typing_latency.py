@@ -1,8 +1,8 @@
 """Time of a workspace from a keystroke to the new findings, on generated tasks.
 
 Prints processor times in milliseconds, of the process alone: an edit within a routine, a value of a
-declaration, a line of declarations, and typing the programs of a cell anew. Run it on an idle
-machine: `python benchmarks/typing_latency.py`.
+declaration, a line of declarations, a header of a routine, and typing the programs of a cell anew.
+Run it on an idle machine: `python benchmarks/typing_latency.py`.
 """
 
 from __future__ import annotations
@@ -95,6 +95,12 @@ def of_declarations(rng: random.Random, text: str) -> TextChange:
     return TextChange(at, at, f"  VAR num another{rng.randrange(1000)};\n")
 
 
+def of_headers(rng: random.Random, text: str) -> TextChange:
+    """A letter more in the name of a routine, or a parameter more."""
+    at = text.index("(num count)", rng.randrange(text.index("PROC"), len(text) - 1000))
+    return TextChange(at, at, "x") if rng.random() < 0.5 else TextChange(at + 1, at + 1, "num n,")
+
+
 def measure(
     cell: Workspace, title: str, edit: Callable[[random.Random, str], TextChange], count: int
 ) -> None:
@@ -175,6 +181,7 @@ def main() -> None:
             measure(cell, "within a routine", in_routine, EDITS)
             measure(cell, "a value of a declaration", in_value, EDITS // 10)
             measure(cell, "a declaration", of_declarations, EDITS // 10)
+            measure(cell, "a header of a routine", of_headers, EDITS // 10)
     type_anew()
     scale = 1024.0 if sys.platform != "darwin" else 1024.0**2
     print(f"memory {resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / scale:.0f} MB")

@@ -157,8 +157,11 @@ class Analysis:
 
     def unknown_symbol(self, name: str) -> UnknownSymbol:
         """Return the symbol of an undeclared name."""
-        symbol = self.unknown_symbols.setdefault(name.lower(), UnknownSymbol(name))
-        self.unit.unknown[name.lower()] = symbol
+        key = name.lower()
+        symbol = self.unknown_symbols.get(key)
+        if symbol is None:
+            symbol = self.unknown_symbols[key] = UnknownSymbol(name)
+        self.unit.unknown[key] = symbol
         return symbol
 
 

@@ -6,6 +6,7 @@ once, so that thirty rules do not traverse the tree thirty times.
 
 from __future__ import annotations
 
+import re
 from collections import defaultdict
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
@@ -26,6 +27,7 @@ from rapidsim.syntax import tree
 N = TypeVar("N", bound=tree.Node)
 V = TypeVar("V")
 ENTRY = "main"
+_WORD = re.compile(r"\w+")
 
 
 @dataclass(frozen=True, eq=False)
@@ -41,6 +43,7 @@ class ProgramPart:
     def renew(self) -> None:
         """Read the part again after the body of the routine changed, or the value of data."""
         vars(self).pop("names", None)
+        vars(self).pop("words", None)
         roots = _declarations(self.module) if self.routine is None else [self.routine]
         vars(self)["nodes"] = _by_kind(roots)
         self.memo.clear()
@@ -74,6 +77,13 @@ class ProgramPart:
     def calls(self) -> tuple[tree.Call | tree.FunctionCall, ...]:
         """The calls of this part: statements first, then functions."""
         return (*self.all(tree.Call), *self.all(tree.FunctionCall))
+
+    @cached_property
+    def words(self) -> frozenset[str]:
+        """Folded words of the text of the routine, those in strings and comments included."""
+        assert self.routine is not None
+        text = self.module.source.text[self.routine.start : self.routine.end]
+        return frozenset(_WORD.findall(text.lower()))
 
     @cached_property
     def names(self) -> frozenset[str]:
@@ -139,6 +149,21 @@ class Facts:
         # If the calls stay, so does what follows from them.
         kept = _OF_PARTS + _OF_CALLS if stays else _OF_PARTS
         vars(facts).update((name, vars(self)[name]) for name in kept if name in vars(self))
+        return facts
+
+    def with_items(self, files: tuple[tree.File, ...]) -> Facts:
+        """Return the facts of the same task after data and routines were replaced by others."""
+        facts = Facts(files, self.analysis, self.memo)
+        heads = {part.module: part for part in self.parts if part.routine is None}
+        parts: list[ProgramPart] = []
+        for file in files:
+            for module in file.modules:
+                parts.append(heads[module])
+                parts += (
+                    self.part_of.get(routine) or ProgramPart(module, routine, _by_kind([routine]))
+                    for routine in module.routines
+                )
+        vars(facts)["parts"] = tuple(parts)
         return facts
 
     @cached_property

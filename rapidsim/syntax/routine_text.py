@@ -33,6 +33,16 @@ class ParsedRoutine:
     diagnostics: tuple[Diagnostic, ...]
 
 
+@value_class(frozen=True, slots=True)
+class ParsedItems:
+    """Items of a module that were parsed alone."""
+
+    items: tuple[tree.Item, ...]
+    comments: tuple[tree.Comment, ...]
+    last: int
+    """The end of the last word or mark."""
+
+
 def item_ranges(tokens: Tokens, text: str) -> Iterator[tuple[int, int]]:
     """Yield the offsets of the routines and data of modules that are on lines of their own.
 
@@ -124,6 +134,32 @@ def parse_data(
             return found if is_same and found.start == data.start else None
         case _:
             return None
+
+
+def parse_items(source: Source, start: int, end: int, module: tree.Module) -> ParsedItems | None:
+    """Parse the changed text of any number of whole items.
+
+    Args:
+        source: The text that contains it.
+        start: Where the line of the first word begins, or a blank behind another item.
+        end: The end of the last word, or of the last line.
+        module: The module that contains it.
+
+    Returns:
+        The items; None if the text is anything else than data and routines without errors.
+    """
+    inside = lex(source.text, [(0, start), (end, len(source.text))])
+    if inside.unterminated or any(len(word) > LONGEST_NAME for word in inside.words):
+        return None
+    parsed = parse_tokens(_as_module(inside, end, module), source)
+    if parsed.diagnostics:
+        return None
+    match parsed.file.modules:
+        case (tree.Module(name=name, items=items),) if name.start == module.name.start:
+            if all(isinstance(item, tree.Data | tree.RoutineNode) for item in items):
+                last = inside.ends[-2] if len(inside.ends) > 1 else start
+                return ParsedItems(items, inside.comments, last)
+    return None
 
 
 def _as_module(tokens: Tokens, end: int, module: tree.Module) -> Tokens:

@@ -9,7 +9,7 @@ from rapidsim.analysis.cell_names import CellNames
 from rapidsim.analysis.context import MOST_COMPARED, UnitResults
 from rapidsim.analysis.passes.checker import Find
 from rapidsim.analysis.passes.task_check import TaskCheck, deep_recursion
-from rapidsim.analysis.program_parts import Facts, ProgramPart
+from rapidsim.analysis.program_parts import ENTRY, Facts, ProgramPart
 from rapidsim.analysis.suppressions import without_suppressed
 from rapidsim.analysis.tree_walk import clauses, descendants, statements
 from rapidsim.diagnostics import Diagnostic
@@ -17,7 +17,7 @@ from rapidsim.module_files import TaskFiles
 from rapidsim.syntax import tree
 from rapidsim.syntax.garbage_collection import gc_paused
 from rapidsim.workspace.changes import Changed, TextChange, changed_text
-from rapidsim.workspace.file_units import EditedData, EditedRoutine, FileUnits
+from rapidsim.workspace.file_units import Edited, EditedData, EditedItems, EditedRoutine, FileUnits
 from rapidsim.workspace.guesses import without_guesses
 from rapidsim.workspace.placing import placed
 from rapidsim.workspace.task_rules import TaskRules
@@ -27,13 +27,17 @@ _HEADERS = frozenset(
     {tree.Proc, tree.Func, tree.Trap, tree.ParameterDeclaration, tree.OptionalGroup}
 )
 """Kinds of nodes that a routine keeps when its body changes."""
+_MEANT_UNNAMED = frozenset({ENTRY})
+"""Names whose declaration means something to routines that do not name them."""
 
 
 class CheckedTask:
     """The files of a task with their trees, symbols and findings.
 
     A change within the body of a routine has this routine parsed and checked again, and the rules
-    asked again for it and for the task. Any other change has its file parsed and the task checked.
+    asked again for it and for the task. Other, new or removed data and routines have in addition
+    everything checked again that contains their names. Any other change has its file parsed and the
+    task checked.
     """
 
     def __init__(
@@ -97,11 +101,7 @@ class CheckedTask:
         is_checked = (
             edited is not None
             and len(self._check.analysis.nearest) < MOST_COMPARED
-            and (
-                self._recheck_data(path, edited)
-                if isinstance(edited, EditedData)
-                else self._recheck(path, edited)
-            )
+            and self._recheck_edited(path, edited)
         )
         if not is_checked:
             return self.replace(path, text)
@@ -120,6 +120,16 @@ class CheckedTask:
         files = tuple(self._trees.values())
         self._check = TaskCheck(files, self._cell)
         self._facts = Facts(files, self._check.analysis)
+
+    def _recheck_edited(self, path: str, edited: Edited) -> bool:
+        """Check what depends on an edit; see `_recheck`."""
+        match edited:
+            case EditedRoutine():
+                return self._recheck(path, edited)
+            case EditedData():
+                return self._recheck_data(path, edited)
+            case EditedItems():
+                return self._recheck_items(path, edited)
 
     def _recheck(self, path: str, edited: EditedRoutine) -> bool:
         """Check a routine with its new body.
@@ -159,7 +169,7 @@ class CheckedTask:
             return False
         check.forget_nodes(_nodes_of_value(data))
         data.take_value(edited.replacement)
-        values = self._users_of(data, edited.module)
+        values = self._users_of({data: edited.module}, {data.name.key})
         names = {item.name.key for item in values}
         if any(not names.isdisjoint(_names_in(item.dimensions)) for item in check.values):
             # The types of arrays depend on their sizes.
@@ -178,10 +188,76 @@ class CheckedTask:
         heads = [p for p in self._facts.parts if p.routine is None and p.module in homes]
         return self._conclude(path, again, heads)
 
-    def _users_of(self, data: tree.Data, module: tree.Module) -> dict[tree.Data, tree.Module]:
-        """Data of modules whose values depend on a value, itself included, with their modules."""
-        found = {data: module}
-        names = {data.name.key}
+    def _recheck_items(self, path: str, edited: EditedItems) -> bool:
+        """Check other data and routines, and everything that names them; see `_recheck`."""
+        check, module = self._check, edited.module
+        if not all(self._is_plain(one, module) for one in (*edited.removed, *edited.added)):
+            return False
+        loads, unread = bool(check.loading), dict(check.unread)
+        names = check.change_items(module, edited.removed, edited.added)
+        if (
+            names is None
+            or not names.isdisjoint(_MEANT_UNNAMED)
+            or not all(map(str.isascii, names))
+        ):
+            return False
+        if bool(check.loading) != loads or check.unread != unread:
+            return False
+        names |= check.forget_nearest(names)
+        data = {item: module for item in edited.added if isinstance(item, tree.Data)}
+        values = self._users_of(data, names)
+        names |= {item.name.key for item in values}
+        if any(not names.isdisjoint(_names_in(item.dimensions)) for item in check.values):
+            # The types of arrays depend on their sizes.
+            return False
+        again: dict[tree.Routine, tree.Module] = {}
+        for part in self._facts.routine_parts:
+            routine = part.routine
+            if routine in check.units and not names.isdisjoint(part.words):
+                self._forget(part)
+                again[routine] = part.module
+        new = {item: module for item in edited.added if isinstance(item, tree.Routine)}
+        self._trees[path] = self._units[path].file
+        self._facts = self._facts.with_items(tuple(self._trees.values()))
+        homes = {module, *values.values()}
+        with deep_recursion():
+            for item, home in values.items():
+                for node in _nodes_of_value(item):
+                    self._facts.memo.pop(node, None)
+                check.forget_nodes(_nodes_of_value(item))
+                check.check_data(item, home)
+            check.check_circles()
+        heads = [p for p in self._facts.parts if p.routine is None and p.module in homes]
+        return self._conclude(path, {**again, **new}, heads)
+
+    def _is_plain(self, item: tree.Item, module: tree.Module) -> bool:
+        """Whether the declaration of an item depends on nothing but declared types."""
+        types = self._check.types
+        if isinstance(item, tree.Data):
+            return not item.dimensions and types.resolves(item.type.key, module)
+        if not isinstance(item, tree.Routine):
+            return False
+        named = [
+            node.type.key
+            for node in descendants(item)
+            if isinstance(node, tree.Data | tree.ParameterDeclaration | tree.Func)
+        ]
+        found = self._check.declarations.diagnostics
+        spans = [one.span for one in found if one.span and one.span.source is module.source]
+        return all(types.resolves(key, module) for key in named) and not any(
+            item.start <= span.start < item.end for span in spans
+        )
+
+    def _users_of(
+        self, users: dict[tree.Data, tree.Module], names: set[str]
+    ) -> dict[tree.Data, tree.Module]:
+        """Data of modules whose values depend on names, with their modules.
+
+        Args:
+            users: Data that are known to depend on them.
+            names: The folded names.
+        """
+        users, names = dict(users), set(names)
         uses = [
             (item, home, _names_in((item.value,)))
             for home in self._check.modules
@@ -190,9 +266,9 @@ class CheckedTask:
         ]
         while True:
             using = {item: home for item, home, used in uses if not names.isdisjoint(used)}
-            if using.keys() <= found.keys():
-                return found
-            found |= using
+            if using.keys() <= users.keys():
+                return users
+            users |= using
             names |= {item.name.key for item in using}
 
     def _conclude(

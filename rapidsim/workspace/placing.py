@@ -8,9 +8,11 @@ from rapidsim.syntax.violations import UnclosedBlock
 
 def placed(finding: Diagnostic) -> Diagnostic:
     """Return a finding with all its places in the files as they are written."""
-    related = tuple(Related(_placed(one.span), one.message) for one in finding.related)
+    related = finding.related
+    if related:
+        related = tuple(Related(_placed(one.span), one.message) for one in related)
     return Diagnostic(
-        _of_line(finding.violation, related),
+        _of_line(finding.violation, related) if related else finding.violation,
         None if finding.span is None else _placed(finding.span),
         related,
         None if finding.fix is None else _fix(finding.fix),

@@ -1,4 +1,4 @@
-"""Text of a file with room behind each routine, so that places stay when a routine grows.
+"""Text of a file with room behind each item, so that places stay when an item grows.
 
 Nodes hold offsets. If these counted the characters of the file, a character typed at its top would
 move all nodes. In a spaced text they are addresses: an edit in a routine uses up some of the room
@@ -19,7 +19,7 @@ _LEAST_ROOM = 120
 
 
 class SpacedSource(Source):
-    """The text of a file in pieces, with room behind every second one."""
+    """The text of a file in pieces, with room behind each but the first and the last."""
 
     def __init__(self, file: str, text: str, ranges: Sequence[tuple[int, int]]) -> None:
         """Space a text.
@@ -27,19 +27,20 @@ class SpacedSource(Source):
         Args:
             file: The name of the file.
             text: Its text.
-            ranges: Offsets of the pieces that may grow, in order; the others lie between them.
+            ranges: Offsets of the pieces with odd numbers, in order; the others lie between them.
         """
         super().__init__(file, "")
         self._filling = "\n" if "\n" in text else "\r"
         marks = [0, *(mark for one in ranges for mark in one), len(text)]
         self._starts = marks[:-1]
-        """Offsets of the pieces in the file; those with odd numbers may grow."""
+        """Offsets of the pieces in the file; those with odd numbers are single items."""
         self._addresses: list[int] = []
         pieces: list[str] = []
         address = 0
         for number, (start, end) in enumerate(pairwise(marks)):
             self._addresses.append(address)
-            room = (_LEAST_ROOM + (end - start)) * (number % 2)
+            is_between = 0 < number < len(marks) - 2
+            room = (_LEAST_ROOM + (end - start) * (number % 2)) * is_between
             pieces.append(text[start:end] + self._filling * room)
             address += end - start + room
         self._set_texts(text, "".join(pieces))
@@ -68,9 +69,10 @@ class SpacedSource(Source):
 
     def offsets(self, start: int, end: int) -> tuple[int, int]:
         """Offsets in the file of the addresses of a range."""
-        piece = bisect_right(self._addresses, start) - 1
-        shift = self._starts[piece] - self._addresses[piece]
-        if start <= end <= self._end(piece) - shift:
+        behind = bisect_right(self._addresses, start)
+        shift = self._starts[behind - 1] - self._addresses[behind - 1]
+        # Most spans lie in a piece that is not the last.
+        if behind < len(self._starts) and start <= end <= self._starts[behind] - shift:
             return start + shift, end + shift
         return self.offset(start), self.offset(end)
 
@@ -86,17 +88,21 @@ class SpacedSource(Source):
             piece.
         """
         piece = bisect_right(self._starts, start) - 1
-        if piece % 2 == 0 or end > self._end(piece):
+        if piece + 1 == len(self._starts) or end > self._end(piece):
             return None
         address = self._addresses[piece]
         return piece, address, address + self._end(piece) - self._starts[piece]
 
+    def end_address(self, piece: int) -> int:
+        """Address past the text of a piece."""
+        return self._addresses[piece] + self._end(piece) - self._starts[piece]
+
     def piece_of(self, address: int) -> int:
-        """Number of the piece that contains an address; those with odd numbers may grow."""
+        """Number of the piece that contains an address; those with odd numbers are items."""
         return bisect_right(self._addresses, address) - 1
 
     def is_piece(self, start: int, end: int) -> bool:
-        """Whether a range of addresses is a piece that may grow, but for blanks before it."""
+        """Whether a range of addresses is a piece with an odd number, but for blanks before it."""
         piece = self.piece_of(start)
         begin = self._addresses[piece]
         stop = begin + self._end(piece) - self._starts[piece]

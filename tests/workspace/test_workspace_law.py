@@ -7,6 +7,7 @@ import re
 from collections.abc import Iterator
 
 import pytest
+from declaration_edits import declaration_edit
 from fresh_check import (
     contents,
     fresh_findings,
@@ -80,6 +81,28 @@ def test_edits_of_several_files_of_a_task() -> None:
         cell.change(path, [change])
         fresh = fresh_findings(texts)
         assert {one: [contents(f) for f in cell.findings(one)] for one in texts} == fresh
+
+
+@pytest.mark.parametrize("number", range(16))
+def test_edits_of_declarations(number: int) -> None:
+    rng = random.Random(number)
+    files = modules("programs/cell") if number % 4 == 0 else [rng.choice(_FILES)]
+    texts = {file.name: text_of(file) for file in files}
+    cell = opened(texts)
+    for _ in range(_EDITS):
+        path = rng.choice(sorted(texts))
+        before = texts[path]
+        change = declaration_edit(rng, before)
+        if change is None:
+            continue
+        texts[path] = changed_text(before, [change])
+        cell.change(path, [change])
+        fresh = fresh_findings(texts)
+        assert {one: [contents(f) for f in cell.findings(one)] for one in texts} == fresh
+        if rng.random() < 0.5:
+            start, end = change.start, change.start + len(change.text)
+            cell.change(path, [TextChange(start, end, before[change.start : change.end])])
+            texts[path] = before
 
 
 BODY = "MODULE m\n{}  PROC main()\n{}  ENDPROC\n{}ENDMODULE\n"
@@ -180,3 +203,58 @@ def test_typing_in_a_body_reads_one_routine() -> None:
     assert all(ways)
     fresh = fresh_findings({"m.mod": text})["m.mod"]
     assert [contents(one) for one in cell.findings("m.mod")] == fresh
+
+
+DECLARATIONS = """MODULE m
+  CONST num first:=1;
+  CONST num second:=first+1;
+
+  PROC main()
+    VAR num n;
+    n:=second+added;
+    helper n;
+    IF n>third THEN
+      stop;
+    ENDIF
+  ENDPROC
+
+  PROC helper(num count)
+    TPWrite "main"\\Num:=count;
+  ENDPROC
+
+  PROC other()
+  ENDPROC
+ENDMODULE
+"""
+
+
+@pytest.mark.parametrize(
+    ("old", "new"),
+    [
+        pytest.param("  CONST num first", "  VAR num added;\n  CONST num first", id="before"),
+        pytest.param("\n\n  PROC main", "\n  VAR num third:=3;\n\n  PROC main", id="behind"),
+        pytest.param("  CONST num second:=first+1;", "", id="removed"),
+        pytest.param("num second", "num secind", id="renamed"),
+        pytest.param("CONST num first", "CONST bool first", id="another type"),
+        pytest.param("CONST num first", "LOCAL CONST num first", id="another scope"),
+        pytest.param("helper(num count)", "helpers(num count)", id="renamed routine"),
+        pytest.param("helper(num count)", "helper(num count,num more)", id="a parameter more"),
+        pytest.param("PROC helper", "LOCAL PROC helper", id="a routine of the module"),
+        pytest.param("  PROC helper", "  PROC stop()\n  ENDPROC\n\n  PROC helper", id="a routine"),
+        pytest.param("PROC other", "PROC helper", id="two routines of one name"),
+        pytest.param("    ENDIF\n", "", id="an open block"),
+    ],
+)
+def test_an_edit_of_a_declaration_checks_what_names_it(old: str, new: str) -> None:
+    text = DECLARATIONS
+    at = text.index(old)
+    cell = opened({"m.mod": text})
+    while old and new and old[0] == new[0]:
+        at, old, new = at + 1, old[1:], new[1:]
+    while old and new and old[-1] == new[-1]:
+        old, new = old[:-1], new[:-1]
+    for change in (TextChange(at, at + len(old), new), TextChange(at, at + len(new), old)):
+        text = changed_text(text, [change])
+        assert cell.change("m.mod", [change]).is_local
+        fresh = fresh_findings({"m.mod": text})["m.mod"]
+        assert [contents(one) for one in cell.findings("m.mod")] == fresh

@@ -7,8 +7,9 @@ of routines need only types. Local data are declared when the routine is checked
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
+from typing import TypeAlias
 
 from rapidsim.analysis.context import Analysis, Context, SymbolTable
 from rapidsim.analysis.names.declaration_violations import BadArraySize, BadParameterType
@@ -36,6 +37,7 @@ from rapidsim.syntax import tree
 MAX_DIMENSIONS = 3
 MAX_SIZE = 2**31 - 1
 Declaration = tree.RecordType | tree.AliasType | tree.Data | tree.Proc | tree.Func | tree.Trap
+Accepted: TypeAlias = list[tuple[Context, Declaration]]
 
 
 def declare_task(
@@ -46,11 +48,21 @@ def declare_task(
     Returns:
         A context for each module, and the types by name.
     """
+    homes = open_homes(modules, analysis)
+    return homes, declare_accepted(without_duplicates(homes), homes)
+
+
+def open_homes(modules: Sequence[tree.Module], analysis: Analysis) -> list[Context]:
+    """Create a context for each module, whose scopes are empty."""
     shared = SymbolTable({})
     homes = [Context(analysis, module, SymbolTable({}, shared)) for module in modules]
     for home in homes:
         analysis.home_of[home.module] = home
-    accepted = _without_duplicates(homes)
+    return homes
+
+
+def declare_accepted(accepted: Accepted, homes: Sequence[Context]) -> UserTypes:
+    """Declare what has no other declaration of its name before it."""
     user_types = UserTypes(
         {
             (home.module if node.scope == "LOCAL" else None, node.name.key): node
@@ -61,15 +73,49 @@ def declare_task(
     )
     for symbol, home in user_types.declare():
         _enter(symbol, symbol.node.scope == "LOCAL", home)
+    _declare_items(accepted, user_types, {})
+    return user_types
+
+
+def redeclare(accepted: Accepted, homes: Sequence[Context], user_types: UserTypes) -> set[str]:
+    """Declare new data and routines; what has a symbol keeps it.
+
+    Returns:
+        The folded names that have another symbol than before in some scope.
+    """
+    tables = [home.scope for home in homes]
+    tables += [table.outer for table in tables[:1] if table.outer is not None]
+    before = [dict(table.names) for table in tables]
+    for table in tables:
+        table.names.clear()
+    symbol_of = homes[0].analysis.symbol_of
+    symbols = {node: symbol_of[node] for _, node in accepted if node in symbol_of}
+    for home, node in accepted:
+        if isinstance(node, TypeNode):
+            _enter(symbols[node], node.scope == "LOCAL", home)
+    _declare_items(accepted, user_types, symbols)
+    return {
+        key
+        for names, table in zip(before, tables, strict=True)
+        for key in names.keys() | table.names.keys()
+        if names.get(key) is not table.names.get(key)
+    }
+
+
+def _declare_items(
+    accepted: Accepted, user_types: UserTypes, symbols: Mapping[Declaration, Symbol]
+) -> None:
+    """Declare data, then routines, unless they have symbols."""
     data = [(home, node) for home, node in accepted if isinstance(node, tree.Data)]
     for arrays in (False, True):
         for home, node in data:
             if bool(node.dimensions) == arrays:
-                _enter(declare_data(node, home, user_types), node.scope == "LOCAL", home)
+                symbol = symbols.get(node) or declare_data(node, home, user_types)
+                _enter(symbol, node.scope == "LOCAL", home)
     for home, routine in accepted:
         if isinstance(routine, tree.Proc | tree.Func | tree.Trap):
-            _enter(_declare_routine(routine, home, user_types), routine.scope == "LOCAL", home)
-    return homes, user_types
+            declared = symbols.get(routine) or _declare_routine(routine, home, user_types)
+            _enter(declared, routine.scope == "LOCAL", home)
 
 
 def show_local_names(visitors: Sequence[tree.Module], homes: Sequence[Context]) -> None:
@@ -137,9 +183,9 @@ def declare_locals(routine: RoutineSymbol, home: Context, user_types: UserTypes)
     return context
 
 
-def _without_duplicates(homes: Sequence[Context]) -> list[tuple[Context, Declaration]]:
-    """Yield the declarations of a task in order, without duplicate names."""
-    accepted: list[tuple[Context, Declaration]] = []
+def without_duplicates(homes: Sequence[Context]) -> Accepted:
+    """Return the declarations of a task in order, without duplicate names."""
+    accepted: Accepted = []
     modules: dict[str, Context] = {}
     shared: dict[str, tuple[Context, Declaration]] = {}
     for home in homes:

@@ -8,7 +8,7 @@ itself, as long as those facts stay.
 from __future__ import annotations
 
 import sys
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Collection, Iterable, Iterator, Sequence
 from contextlib import contextmanager
 
 from rapidsim.analysis.cell_names import NO_CELL, CellNames
@@ -16,13 +16,22 @@ from rapidsim.analysis.context import Analysis, Context, UnitResults
 from rapidsim.analysis.installed import installed_symbol
 from rapidsim.analysis.names.name_violations import UnknownUnit
 from rapidsim.analysis.passes.control_flow import check_flow
-from rapidsim.analysis.passes.declarations import declare_locals, declare_task, show_local_names
+from rapidsim.analysis.passes.declarations import (
+    Accepted,
+    declare_accepted,
+    declare_locals,
+    open_homes,
+    redeclare,
+    show_local_names,
+    without_duplicates,
+)
 from rapidsim.analysis.passes.initial_values import check_circles, check_initial_value
 from rapidsim.analysis.passes.statements import check_routine_body
 from rapidsim.analysis.passes.undeclared import decide_undeclared
 from rapidsim.analysis.program import DataSymbol, RoutineSymbol, does
+from rapidsim.analysis.suggestions import closest
 from rapidsim.analysis.tolerated_syntax import check_lenient_marks
-from rapidsim.analysis.tree_walk import clauses, statements
+from rapidsim.analysis.tree_walk import clauses, descendants, statements
 from rapidsim.diagnostics import Diagnostic
 from rapidsim.language.types import Type
 from rapidsim.library.traits import Trait
@@ -61,7 +70,8 @@ class TaskCheck:
             cell, unread_text="\n".join(self.unread.values()), loads_modules=bool(self.loading)
         )
         self.declarations = self.analysis.unit
-        """Results of all text outside of routines but values."""
+        """Results of all text outside of routines but values and duplicate names."""
+        self.duplicates = UnitResults()
         self.values: dict[tree.Data, UnitResults] = {}
         """Results of the values of data outside of routines."""
         self.circles = UnitResults()
@@ -85,6 +95,7 @@ class TaskCheck:
 
     def _by_unit(self) -> Iterator[list[Diagnostic]]:
         seen: set[str] = set()
+        yield self.duplicates.diagnostics
         for unit in (self.declarations, *self.values.values(), self.circles, *self.units.values()):
             if unit.unknown:
                 yield [one for one in unit.diagnostics if _unit_name(one) not in seen]
@@ -106,7 +117,10 @@ class TaskCheck:
             self.unread[item] = "\n".join(unread)
 
     def _check_declarations(self, visitor: tree.File | None) -> None:
-        self._homes, self.types = declare_task(self.modules, self.analysis)
+        self._homes = open_homes(self.modules, self.analysis)
+        self._accepted = self._find_accepted()
+        self.analysis.unit = self.declarations
+        self.types = declare_accepted(self._accepted, self._homes)
         if visitor is not None:
             show_local_names(visitor.modules, self._homes)
         others = tree.RoutineNode | tree.Data
@@ -116,6 +130,82 @@ class TaskCheck:
                 if isinstance(item, tree.Data):
                     self.check_data(item, home.module)
         self.check_circles()
+
+    def _find_accepted(self) -> Accepted:
+        """Find the declarations without those whose name another one before has."""
+        self.analysis.unit = self.duplicates = UnitResults()
+        return without_duplicates(self._homes)
+
+    def change_items(
+        self, module: tree.Module, removed: Collection[tree.Item], added: Collection[tree.Item]
+    ) -> set[str] | None:
+        """Replace data and routines of a module whose types are declared, but check no new one.
+
+        Returns:
+            The folded names that mean something else than before; None if more than that depends
+            on the change, and the check is unusable.
+        """
+        for item in removed:
+            self._remove(item)
+        old = set(removed)
+        items = [*(item for item in module.items if item not in old), *added]
+        module.take_items(tuple(sorted(items, key=lambda item: item.start)))
+        for item in added:
+            self.read_item(item, module)
+        before = {node for _, node in self._accepted} - old
+        self._accepted = self._find_accepted()
+        if {node for _, node in self._accepted}.difference(added) != before:
+            # A declaration is, or is no longer, the first one of its name.
+            return None
+        self.analysis.unit = self.declarations
+        names = redeclare(self._accepted, self._homes, self.types)
+        for item in added:
+            if isinstance(item, tree.Data):
+                self.values[item] = UnitResults()
+            elif isinstance(item, tree.Routine):
+                self.units[item] = UnitResults()
+        items = [item for home in self.modules for item in home.items]
+        self.values = {item: self.values[item] for item in items if isinstance(item, tree.Data)}
+        self.units = {item: self.units[item] for item in items if isinstance(item, tree.Routine)}
+        return names
+
+    def _remove(self, item: tree.Item) -> None:
+        """Remove what is known of data or a routine."""
+        analysis = self.analysis
+        symbol = analysis.symbol_of.get(item)
+        nodes = list(descendants(item))
+        if isinstance(item, tree.Routine):
+            self.forget(item, nodes)
+            del self.units[item]
+        else:
+            self.forget_nodes(nodes)
+        if isinstance(item, tree.Data):
+            del self.values[item]
+        if symbol is not None:
+            analysis.module_of.pop(symbol, None)
+            analysis.callees.pop(symbol, None)
+        self.unread.pop(item, None)
+        self.loading.discard(item)
+
+    def forget_nearest(self, names: Collection[str]) -> set[str]:
+        """Remove the nearest known names that may be others now.
+
+        Args:
+            names: Folded names that mean something else than before.
+
+        Returns:
+            The unknown names, folded.
+        """
+        nearest = self.analysis.nearest
+        stale = [
+            key
+            for key, known in nearest.items()
+            if (known is not None and known.lower() in names)
+            or closest(str(key[0]), names) is not None
+        ]
+        for key in stale:
+            del nearest[key]
+        return {str(key[0]) for key in stale}
 
     def check_data(self, data: tree.Data, module: tree.Module) -> None:
         """Check the value of one declaration outside of routines."""

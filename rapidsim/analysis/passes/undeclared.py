@@ -20,25 +20,26 @@ def decide_undeclared(analysis: Analysis) -> None:
     compared = compared_signals(analysis) if analysis.cell.assumes else frozenset()
     for reference, context in analysis.undeclared:
         name = reference.name
+        key = name.key
         of = (
-            analysis.signals.get(name.key)
+            analysis.signals.get(key)
             or evident_signal(name, context)
-            or _of_siblings(name.key, analysis)
-            or (SIGNAL_DI if name.key in compared else None)
+            or _of_siblings(key, analysis)
+            or (SIGNAL_DI if key in compared else None)
         )
         wanted = analysis.wanted_of_undeclared.get(reference)
         if of is None:
             is_value = wanted is None or resolved(wanted.type) in (NUM, DNUM, BOOL)
             report_undefined(name, context, may_be_signal=is_value)
             continue
-        if name.key not in reported and name.key not in analysis.cell.wired:
+        if key not in reported and key not in analysis.cell.wired:
             declared = (one.name for one in analysis.cell.symbols.values() if one.type == of)
             nearest = closest(name.text, declared)
             closed = analysis.cell.has_signals and not analysis.cell.assumes
             violation = UnknownSignal(name.text, of.name, nearest=nearest, is_closed=closed)
             context.report(violation, name, fix=context.respelling(name, nearest))
-            reported.add(name.key)
-        analysis.signals.setdefault(name.key, of)
+            reported.add(key)
+        analysis.signals.setdefault(key, of)
         analysis.symbol_of[reference] = analysis.unknown_symbol(name.text)
         analysis.type_of.setdefault(reference, of)
         if wanted is not None and not agrees(of, wanted.type):

@@ -141,6 +141,11 @@ class Module(Node):
         """The routines, in order."""
         return tuple(item for item in self.items if isinstance(item, Proc | Func | Trap))
 
+    def take_items(self, items: tuple[Item, ...]) -> None:
+        """Take other items after the text of some was edited; see `RoutineNode.take_body`."""
+        object.__setattr__(self, "items", items)
+        vars(self).pop("routines", None)
+
 
 @value_class(frozen=True, slots=True)
 class Comment:
