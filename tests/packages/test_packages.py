@@ -217,9 +217,9 @@ def test_mypy_follows_what_is_installed(
     assert "Incompatible types" in ended.stdout
 
 
-@pytest.mark.parametrize("python", PYTHONS[1:])
-def test_types_hold_with_every_python(python: str) -> None:
-    ended = ran(*MYPY, "--python-version", python, cwd=ROOT)
+def test_types_hold_with_the_newest_python() -> None:
+    """The oldest one is checked with the other tools; each version takes a minute."""
+    ended = ran(*MYPY, "--python-version", PYTHONS[-1], cwd=ROOT)
     assert ended.returncode == 0, ended.stdout
 
 
