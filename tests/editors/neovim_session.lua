@@ -6,11 +6,19 @@ local function wait(what, condition)
   assert(vim.wait(30000, condition, 20), "no " .. what .. " after 30 s")
 end
 
+-- A busy server may let a request pass by: a person would ask again.
 local function ask(method, extra)
   local params = vim.tbl_extend("force", vim.lsp.util.make_position_params(), extra or {})
-  for _, answer in pairs(vim.lsp.buf_request_sync(0, method, params, 30000) or {}) do
-    if answer.result then return answer.result end
+  local problems = {}
+  for _ = 1, 3 do
+    local answers, problem = vim.lsp.buf_request_sync(0, method, params, 20000)
+    for _, answer in pairs(answers or {}) do
+      if answer.result then return answer.result end
+      table.insert(problems, vim.inspect(answer.error))
+    end
+    table.insert(problems, tostring(problem))
   end
+  error(method .. ": " .. table.concat(problems, "; "))
 end
 
 local function session()

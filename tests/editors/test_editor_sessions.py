@@ -53,7 +53,7 @@ def session(command: list[str], folder: Path, **variables: Path) -> dict[str, An
         env=environment,
         capture_output=True,
         text=True,
-        timeout=90,
+        timeout=180,
         check=False,
     )
     assert result.is_file(), ended.stdout + ended.stderr
