@@ -2,6 +2,7 @@
 -- Needs `pip install "rapidsim[edit]"` in a place that is on the PATH of Neovim.
 
 local extensions = { "mod", "modx", "sys", "sysx", "prg" }
+local servers = {} -- one a folder: a file's type may be set more than once
 local group = vim.api.nvim_create_augroup("rapidsim", {})
 
 vim.api.nvim_create_autocmd({ "BufRead", "BufNewFile" }, {
@@ -16,12 +17,12 @@ vim.api.nvim_create_autocmd("FileType", {
   callback = function(event)
     vim.bo[event.buf].commentstring = "! %s"
     local found = vim.fs and vim.fs.find("rapidsim.toml", { upward = true, path = event.file })[1]
-    local client = vim.lsp.start_client({
-      name = "rapidsim",
-      cmd = { "rapidsim", "lsp" },
-      root_dir = vim.fn.fnamemodify(found or event.file, ":p:h"),
-    })
-    vim.lsp.buf_attach_client(event.buf, client)
+    local root = vim.fn.fnamemodify(found or event.file, ":p:h")
+    if not (servers[root] and vim.lsp.get_client_by_id(servers[root])) then
+      local command = { "rapidsim", "lsp" }
+      servers[root] = vim.lsp.start_client({ name = "rapidsim", cmd = command, root_dir = root })
+    end
+    vim.lsp.buf_attach_client(event.buf, servers[root])
     local function map(keys, action) vim.keymap.set("n", keys, action, { buffer = event.buf }) end
     map("K", vim.lsp.buf.hover)
     map("gd", vim.lsp.buf.definition)
