@@ -25,7 +25,7 @@ ON_REQUEST = ("F409", "F410", "M514", "S", "T323")
 """Rules and families that `rapidsim check` applies only on request, such as house style."""
 
 # Some tools write line ends as CR CR LF, which is one line end, not two.
-_LINE_END = re.compile(r"\r+\n|\n|\r")
+LINE_END = re.compile(r"\r+\n|\n|\r")
 
 
 class Severity(StrEnum):
@@ -47,7 +47,7 @@ class Source:
     @cached_property
     def line_starts(self) -> tuple[int, ...]:
         """Offset of the first character of each line."""
-        return (0, *(match.end() for match in _LINE_END.finditer(self.text)))
+        return (0, *(match.end() for match in LINE_END.finditer(self.text)))
 
     @property
     def written(self) -> Source:

@@ -6,10 +6,9 @@ block it belongs to, as they do to a reader.
 
 from __future__ import annotations
 
-import re
 from collections.abc import Sequence
 
-from rapidsim.diagnostics import Diagnostic, Edit, Fix, Related, Span
+from rapidsim.diagnostics import LINE_END, Diagnostic, Edit, Fix, Related, Span
 from rapidsim.syntax.blocks import (
     CLOSERS,
     DIVIDERS,
@@ -36,7 +35,6 @@ from rapidsim.syntax.token_repairs import respelling, written_fix
 from rapidsim.syntax.violations import MissingSymbol, StrayBlockWord, UnclosedBlock
 
 _MOST_SLIPS = 2
-_LINE_END = re.compile(r"\r*\n|\r")
 _MOST_APART = 8
 """Maximum number of open blocks at one place examined individually; more get one report."""
 
@@ -229,7 +227,7 @@ def _closing_lines(row: TokenBuffer, blocks: Sequence[OpenBlock], index: int) ->
     if not row.first_on_line(index) and row.kinds[index] != END:
         return None
     text = row.source.text
-    end = _LINE_END.search(text, row.place_before(index))
+    end = LINE_END.search(text, row.place_before(index))
     at = len(text) if end is None else end.start()
     ending = "\n" if end is None else end[0]
     lines = [
@@ -269,8 +267,10 @@ def _missing_then(at: ParseFailure, wanted: frozenset[str]) -> Patch | None:
     for index in range(at.index - 1, at.module, -1):
         if row.kinds[index] in ROUTINES:
             return None
+        if row.kinds[index] != "IF":
+            continue
         stop = row.line_stop(index)
-        if row.kinds[index] != "IF" or "THEN" in row.kinds[index:stop]:
+        if row.kinds[stop - 1] == "SEMICOLON" or "THEN" in row.kinds[index:stop]:
             continue
         kinds = [*row.kinds[at.module : stop], "THEN", *row.kinds[stop : at.index + 1]]
         if accepts(START, kinds):

@@ -23,6 +23,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from enum import StrEnum
 from itertools import pairwise
 
+from rapidsim.diagnostics import LINE_END
 from rapidsim.syntax.lexer import Tokens, lex
 from rapidsim.text_edits import TextEdit, edited_text
 from rapidsim.values import value_class
@@ -32,7 +33,6 @@ DEFAULT_INDENT = 4
 _TAB = 4
 _LARGEST_INDENT = 8
 
-_LINE_END = re.compile(r"\r+\n|\n|\r")
 _BLANKS = " \t"
 _BEFORE_HEADER = " \t\r\n\x00\x1a\ufeff"
 _TRUTH_VALUE = re.compile(r'"(?:[^"\r\n]|"")*"|\b(true|false)\b', re.IGNORECASE)
@@ -145,7 +145,7 @@ def word_edits(text: str, tokens: Tokens) -> Iterator[TextEdit]:
 
 
 def _lines(text: str, tokens: Tokens) -> list[_Line]:
-    ends = [(found.start(), found.end()) for found in _LINE_END.finditer(text)]
+    ends = [(found.start(), found.end()) for found in LINE_END.finditer(text)]
     starts = [0, *(end for _, end in ends)]
     lines = []
     for start, end in zip(starts, [*(start for start, _ in ends), len(text)], strict=True):

@@ -59,11 +59,11 @@ def foreign_mark(at: ParseFailure) -> Patch | None:
         if first < at.statement or not _touch(row, first):
             continue
         span = row.span(first, first + 2)
-        before = row.kinds[at.statement : first]
-        where = wording.construct(row, at.statement, at.index)
         for meant in _FOREIGN.get(span.text, ()):
             kind = rapid_table().marks.get(meant, meant)
+            before = row.kinds[at.statement : first]
             if accepts(at.statement_stack, [*before, kind, *at.window(first + 2)]):
+                where = wording.construct(row, at.statement, at.index)
                 violation = UnexpectedSymbol(
                     f"`{span.text}`, read as {wording.symbol(kind)},", where
                 )
@@ -288,10 +288,8 @@ def written_fix(start: int, row: TokenBuffer, kind: str, stop: int | None = None
     if written is None:
         return None
     span = Span(row.source, start, start if stop is None else stop)
-    before, after = (
-        row.source.text[max(start - 1, 0) : start],
-        row.source.text[span.end : span.end + 1],
-    )
+    text = row.source.text
+    before, after = text[max(start - 1, 0) : start], text[span.end : span.end + 1]
     is_word = written.isalpha()
     left = " " * (is_word and (before.isalnum() or stop is None))
     right = " " * (is_word and after.isalnum())

@@ -48,10 +48,8 @@ def symbol(kind: str) -> str:
         return "an expression"
     if kind == "NAME":
         return "a name"
-    for mark, terminal in rapid_table().marks.items():
-        if terminal == kind:
-            return f"`{mark}`"
-    return kind
+    text = mark(kind)
+    return kind if text in (None, kind) else f"`{text}`"
 
 
 def mark(kind: str) -> str | None:

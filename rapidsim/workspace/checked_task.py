@@ -171,22 +171,15 @@ class CheckedTask:
         data.take_value(edited.replacement)
         values = self._users_of({data: edited.module}, {data.name.key})
         names = {item.name.key for item in values}
-        if any(not names.isdisjoint(_names_in(item.dimensions)) for item in check.values):
-            # The types of arrays depend on their sizes.
+        if self._determines_sizes(names):
             return False
         again: dict[tree.Routine, tree.Module] = {}
         for part in self._facts.parts:
             if part.routine is not None and not names.isdisjoint(part.names):
                 self._forget(part)
                 again[part.routine] = part.module
-        with deep_recursion():
-            for item, module in values.items():
-                check.forget_nodes(_nodes_of_value(item))
-                check.check_data(item, module)
-            check.check_circles()
-        homes = set(values.values())
-        heads = [p for p in self._facts.parts if p.routine is None and p.module in homes]
-        return self._conclude(path, again, heads)
+        self._check_values(values)
+        return self._conclude(path, again, self._heads(set(values.values())))
 
     def _recheck_items(self, path: str, edited: EditedItems) -> bool:
         """Check other data and routines, and everything that names them; see `_recheck`."""
@@ -207,8 +200,7 @@ class CheckedTask:
         data = {item: module for item in edited.added if isinstance(item, tree.Data)}
         values = self._users_of(data, names)
         names |= {item.name.key for item in values}
-        if any(not names.isdisjoint(_names_in(item.dimensions)) for item in check.values):
-            # The types of arrays depend on their sizes.
+        if self._determines_sizes(names):
             return False
         again: dict[tree.Routine, tree.Module] = {}
         for part in self._facts.routine_parts:
@@ -219,16 +211,30 @@ class CheckedTask:
         new = {item: module for item in edited.added if isinstance(item, tree.Routine)}
         self._trees[path] = self._units[path].file
         self._facts = self._facts.with_items(tuple(self._trees.values()))
-        homes = {module, *values.values()}
+        self._check_values(values)
+        return self._conclude(path, {**again, **new}, self._heads({module, *values.values()}))
+
+    def _determines_sizes(self, names: set[str]) -> bool:
+        """Whether the sizes of arrays, on which types depend, name data of these folded names."""
+        sizes = (_names_in(item.dimensions) for item in self._check.values)
+        return any(not names.isdisjoint(used) for used in sizes)
+
+    def _check_values(self, values: Mapping[tree.Data, tree.Module]) -> None:
+        """Check the values of data outside of routines again, by data with their modules."""
         with deep_recursion():
-            for item, home in values.items():
-                for node in _nodes_of_value(item):
+            for item, module in values.items():
+                nodes = _nodes_of_value(item)
+                for node in nodes:
                     self._facts.memo.pop(node, None)
-                check.forget_nodes(_nodes_of_value(item))
-                check.check_data(item, home)
-            check.check_circles()
-        heads = [p for p in self._facts.parts if p.routine is None and p.module in homes]
-        return self._conclude(path, {**again, **new}, heads)
+                self._check.forget_nodes(nodes)
+                self._check.check_data(item, module)
+            self._check.check_circles()
+
+    def _heads(self, modules: set[tree.Module]) -> list[ProgramPart]:
+        """The parts of modules outside of their routines."""
+        return [
+            part for part in self._facts.parts if part.routine is None and part.module in modules
+        ]
 
     def _is_plain(self, item: tree.Item, module: tree.Module) -> bool:
         """Whether the declaration of an item depends on nothing but declared types."""
