@@ -14,6 +14,7 @@ after = 0.4
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import Annotated
 
 from rapidsim.controller.cell.description import (
     FIRST_ROBOT,
@@ -23,12 +24,40 @@ from rapidsim.controller.cell.description import (
     SignalKind,
     Status,
 )
-from rapidsim.station.declared_tables import read_when
-from rapidsim.station.toml_reader import Reader, Table, is_number
+from rapidsim.json_records.declarations import AboveZero, Level, OneOf, noun, whole_number
+from rapidsim.station.declared_tables import read_records, values_of
+from rapidsim.station.toml_reader import Reader, Table
+from rapidsim.values import value_class
 
-_KEYS = ("type", "value", "width", "min", "max", "system", "task", "unit")
-_CROSS_KEYS = ("set", "from", "after")
-_KINDS = ", ".join(kind.value for kind in SignalKind)
+_NO_KIND = f"unknown signal type `{{}}`; expected {', '.join(SignalKind)}"
+_LIMIT_KEYS = ("width", "min", "max")
+_LIMIT_KEYS_OF_KIND = {
+    SignalKind.GI: ("width",),
+    SignalKind.GO: ("width",),
+    SignalKind.AI: ("min", "max"),
+    SignalKind.AO: ("min", "max"),
+}
+
+
+@value_class(frozen=True, slots=True)
+class SignalTable:
+    """A signal of the table [signals]."""
+
+    type: Annotated[SignalKind | None, OneOf(_NO_KIND)] = None
+    value: Level | None = None
+    """Its initial value."""
+    width: Annotated[AboveZero | None, whole_number(1, GROUP_WIDTH)] = None
+    """Number of bits of a group."""
+    min: float | None = None
+    """Lowest logical value of an analog signal."""
+    max: float | None = None
+    """Highest logical value of an analog signal."""
+    system: Annotated[Status | None, noun("a known status")] = None
+    """The controller state that a system output shows."""
+    task: str | None = None
+    """The task whose state it shows; None for any."""
+    unit: str | None = None
+    """The mechanical unit whose state it shows; None for the first robot."""
 
 
 def read_signals(
@@ -66,16 +95,7 @@ def read_crosses(
 
     Connections of a backup are first, except for the signals that the list connects.
     """
-    crosses = []
-    for path, table in reader.tables(tables, "cross"):
-        reader.note_unknown_keys(path, table, _CROSS_KEYS)
-        result = reader.text(table, path, "set")
-        condition = read_when(reader, table, path, "from")
-        if result is None or condition is None:
-            reader.wrong(path, 'both are needed: set = "doLamp", from = "doRun and not diFault"')
-            continue
-        after_s = reader.not_negative(table, path, "after")
-        crosses.append(CrossConnection(result, condition, after_s or 0.0))
+    crosses = read_records(reader, tables, "cross", CrossConnection)
     for number, cross in enumerate(crosses):
         if follows_itself(cross, crosses):
             reader.wrong(f"cross {number + 1}", f"`{cross.result}` depends on itself")
@@ -86,81 +106,55 @@ def read_crosses(
 def _signal(
     reader: Reader, path: str, name: str, table: Table, backup: SignalDeclaration | None
 ) -> SignalDeclaration | None:
-    reader.note_unknown_keys(path, table, _KEYS)
-    text = reader.text(table, path, "type") or ("" if backup is None else backup.kind.value)
-    if text.lower() not in list(SignalKind):
-        reader.wrong(f"{path}.type", f"unknown signal type `{text}`; expected {_KINDS}")
+    signal = SignalTable(**values_of(reader, SignalTable, table, path))
+    kind = signal.type or (backup.kind if backup and not table.get("type") else None)
+    if kind is None:
+        if "type" not in table:
+            reader.wrong(f"{path}.type", _NO_KIND.format(""))
         return None
-    kind = SignalKind(text.lower())
     if backup is not None and backup.kind is not kind:
         backup = None
-    lowest, highest = _limits(reader, path, kind, table, backup)
-    start = table.get("value", 0.0 if backup is None else backup.value)
-    value = float(start) if is_number(start) or isinstance(start, bool) else None
+    lowest, highest = _limits(reader, path, kind, signal, backup)
+    for key in _LIMIT_KEYS:
+        if key in table and key not in _LIMIT_KEYS_OF_KIND.get(kind, ()):
+            reader.wrong(f"{path}.{key}", f"a {kind.value} has no such key")
+    value = signal.value
     if value is None:
-        reader.wrong(f"{path}.value", "a number is needed")
-    elif not (lowest is None or value >= lowest) or not (highest is None or value <= highest):
+        value = 0.0 if backup is None or "value" in table else backup.value
+    if not (lowest is None or value >= lowest) or not (highest is None or value <= highest):
         reader.wrong(f"{path}.value", f"{value:g} is outside its limits {lowest} .. {highest}")
-    status = _status(reader, path, table, backup)
-    task = reader.text(table, path, "task") or (backup.task if backup else None)
-    unit = reader.text(table, path, "unit") or (backup.unit if backup else FIRST_ROBOT)
-    if status is None:
-        return SignalDeclaration(name, kind, value or 0.0, lowest, highest)
-    return SignalDeclaration(name, kind, status.at_start, lowest, highest, status, task, unit)
-
-
-def _status(
-    reader: Reader, path: str, table: Table, backup: SignalDeclaration | None
-) -> Status | None:
-    """Read the status that a system output shows; None for other signals."""
-    text = reader.text(table, path, "system")
-    if text is None and backup is not None and backup.status is not None:
-        return backup.status
-    if text is None:
+    status = signal.system or (backup.status if backup and "system" not in table else None)
+    if status is None and "system" not in table:
         for key in ("task", "unit"):
             if key in table:
                 reader.wrong(f"{path}.{key}", 'it needs `system`, as in system = "TaskExecuting"')
-        return None
-    for status in Status:
-        if status.lower() == text.lower():
-            return status
-    reader.wrong(f"{path}.system", f"`{text}` is not a known status", f"known: {', '.join(Status)}")
-    return None
+    if status is None:
+        return SignalDeclaration(name, kind, value, lowest, highest)
+    task = signal.task or (backup.task if backup else None)
+    unit = signal.unit or (backup.unit if backup else FIRST_ROBOT)
+    return SignalDeclaration(name, kind, status.at_start, lowest, highest, status, task, unit)
 
 
 def _limits(
     reader: Reader,
     path: str,
     kind: SignalKind,
-    table: Table,
+    signal: SignalTable,
     backup: SignalDeclaration | None,
 ) -> tuple[float | None, float | None]:
     """Return the lowest and highest value of a signal; analog ones may have no limits."""
-    allowed: tuple[str, ...] = ()
-    limits: tuple[float | None, float | None] = (0.0, 1.0)
     known = (None, None) if backup is None else (backup.lowest, backup.highest)
     if kind in (SignalKind.GI, SignalKind.GO):
-        allowed = ("width",)
-        width = reader.positive(table, path, "width") or float(GROUP_WIDTH)
-        if width != int(width) or width > GROUP_WIDTH:
-            reader.wrong(f"{path}.width", f"a whole number from 1 to {GROUP_WIDTH} is needed")
-            width = float(GROUP_WIDTH)
-        limits = (0.0, 2.0**width - 1.0)
-        if backup is not None and "width" not in table:
-            limits = known
-    elif kind in (SignalKind.AI, SignalKind.AO):
-        allowed = ("min", "max")
-        lowest, highest = (reader.number(table, path, key) for key in ("min", "max"))
-        limits = (
-            known[0] if "min" not in table else lowest,
-            known[1] if "max" not in table else highest,
-        )
-        if limits[0] is not None and limits[1] is not None and limits[0] >= limits[1]:
-            reader.wrong(f"{path}.min", f"{limits[0]:g} is not below max, {limits[1]:g}")
-    for key in ("width", "min", "max"):
-        if key in table and key not in allowed:
-            reader.wrong(f"{path}.{key}", f"a {kind.value} has no such key")
-    return limits
+        if backup is not None and signal.width is None:
+            return known
+        return 0.0, 2.0 ** (signal.width or GROUP_WIDTH) - 1.0
+    if kind not in (SignalKind.AI, SignalKind.AO):
+        return 0.0, 1.0
+    lowest = known[0] if signal.min is None else signal.min
+    highest = known[1] if signal.max is None else signal.max
+    if lowest is not None and highest is not None and lowest >= highest:
+        reader.wrong(f"{path}.min", f"{lowest:g} is not below max, {highest:g}")
+    return lowest, highest
 
 
 def follows_itself(cross: CrossConnection, crosses: Sequence[CrossConnection]) -> bool:
