@@ -66,7 +66,8 @@ def values_of(
     reader.note_unknown_keys(path, table, [field.key for field in fields])
     read = ((field.name, _value(reader, field, table, path)) for field in fields)
     found = {**known, **{name: value for name, value in read if value is not None}}
-    for problem in dict.fromkeys(_lacking(fields, found, table, path)):
+    problems = (*_contradictions(fields, table, known, path), *_lacking(fields, found, table, path))
+    for problem in dict.fromkeys(problems):
         reader.wrong(*problem)
     return found
 
@@ -110,6 +111,19 @@ def _required(kind: type) -> set[str]:
     return {field.name for field in record_fields(kind) if field.default is MISSING}
 
 
+def _contradictions(
+    fields: Iterable[RecordField], table: Table, known: Iterable[str], path: str
+) -> Iterator[tuple[str, str]]:
+    """Yield the place and the message of each key that others forbid."""
+    present = {*table, *known}
+    for field in fields:
+        for mark in marks_of(field.type)[1] if field.key in table else ():
+            if (isinstance(mark, Needs) and mark.key not in present) or (
+                isinstance(mark, Excludes) and mark.key in present
+            ):
+                yield f"{path}.{field.key}", mark.problem
+
+
 def _lacking(
     fields: Iterable[RecordField], found: Mapping[str, Any], table: Table, path: str
 ) -> Iterator[tuple[str, str]]:
@@ -130,9 +144,6 @@ def _value(reader: Reader, field: RecordField, table: Table, path: str) -> Any:
     if key not in table:
         return None
     declared, marks = marks_of(field.type)
-    for mark in marks:
-        if isinstance(mark, Needs | Excludes) and (mark.key in table) is isinstance(mark, Excludes):
-            reader.wrong(f"{path}.{key}", mark.problem)
     type_, inner = marks_of(alternatives(declared)[0][0])
     # An empty text is the default of a text; a required text is missing.
     if table[key] == "" and (

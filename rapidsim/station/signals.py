@@ -14,7 +14,7 @@ after = 0.4
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Annotated
+from typing import Annotated, Any
 
 from rapidsim.controller.cell.description import (
     FIRST_ROBOT,
@@ -24,29 +24,30 @@ from rapidsim.controller.cell.description import (
     SignalKind,
     Status,
 )
-from rapidsim.json_records.declarations import AboveZero, Level, OneOf, noun, whole_number
+from rapidsim.json_records.declarations import AboveZero, Level, Needs, OneOf, noun, whole_number
 from rapidsim.station.declared_tables import read_records, values_of
 from rapidsim.station.toml_reader import Reader, Table
 from rapidsim.values import value_class
 
 _NO_KIND = f"unknown signal type `{{}}`; expected {', '.join(SignalKind)}"
-_LIMIT_KEYS = ("width", "min", "max")
-_LIMIT_KEYS_OF_KIND = {
-    SignalKind.GI: ("width",),
-    SignalKind.GO: ("width",),
-    SignalKind.AI: ("min", "max"),
-    SignalKind.AO: ("min", "max"),
+_OF_GROUP, _OF_ANALOG = ("width",), ("min", "max")
+_LIMIT_KEYS = {
+    SignalKind.GI: _OF_GROUP,
+    SignalKind.GO: _OF_GROUP,
+    SignalKind.AI: _OF_ANALOG,
+    SignalKind.AO: _OF_ANALOG,
 }
+_NO_SYSTEM = Needs("system", 'it needs `system`, as in system = "TaskExecuting"')
 
 
 @value_class(frozen=True, slots=True)
-class SignalTable:
+class SignalEntry:
     """A signal of the table [signals]."""
 
     type: Annotated[SignalKind | None, OneOf(_NO_KIND)] = None
-    value: Level | None = None
+    value: Level = 0.0
     """Its initial value."""
-    width: Annotated[AboveZero | None, whole_number(1, GROUP_WIDTH)] = None
+    width: Annotated[AboveZero, whole_number(1, GROUP_WIDTH)] = GROUP_WIDTH
     """Number of bits of a group."""
     min: float | None = None
     """Lowest logical value of an analog signal."""
@@ -54,10 +55,10 @@ class SignalTable:
     """Highest logical value of an analog signal."""
     system: Annotated[Status | None, noun("a known status")] = None
     """The controller state that a system output shows."""
-    task: str | None = None
+    task: Annotated[str | None, _NO_SYSTEM] = None
     """The task whose state it shows; None for any."""
-    unit: str | None = None
-    """The mechanical unit whose state it shows; None for the first robot."""
+    unit: Annotated[str, _NO_SYSTEM] = FIRST_ROBOT
+    """The mechanical unit whose state it shows."""
 
 
 def read_signals(
@@ -106,52 +107,52 @@ def read_crosses(
 def _signal(
     reader: Reader, path: str, name: str, table: Table, backup: SignalDeclaration | None
 ) -> SignalDeclaration | None:
-    signal = SignalTable(**values_of(reader, SignalTable, table, path))
-    kind = signal.type or (backup.kind if backup and not table.get("type") else None)
-    if kind is None:
+    text = str(table.get("type") or "").lower()
+    known = _entry_of(backup) if backup and text in ("", backup.kind) else {}
+    signal = SignalEntry(**values_of(reader, SignalEntry, table, path, known=known))
+    if signal.type is None:
         if "type" not in table:
             reader.wrong(f"{path}.type", _NO_KIND.format(""))
         return None
-    if backup is not None and backup.kind is not kind:
-        backup = None
-    lowest, highest = _limits(reader, path, kind, signal, backup)
-    for key in _LIMIT_KEYS:
-        if key in table and key not in _LIMIT_KEYS_OF_KIND.get(kind, ()):
-            reader.wrong(f"{path}.{key}", f"a {kind.value} has no such key")
+    for key in ("width", "min", "max"):
+        if key in table and key not in _LIMIT_KEYS.get(signal.type, ()):
+            reader.wrong(f"{path}.{key}", f"a {signal.type.value} has no such key")
+    lowest, highest = _limits(reader, path, signal)
     value = signal.value
-    if value is None:
-        value = 0.0 if backup is None or "value" in table else backup.value
     if not (lowest is None or value >= lowest) or not (highest is None or value <= highest):
         reader.wrong(f"{path}.value", f"{value:g} is outside its limits {lowest} .. {highest}")
-    status = signal.system or (backup.status if backup and "system" not in table else None)
-    if status is None and "system" not in table:
-        for key in ("task", "unit"):
-            if key in table:
-                reader.wrong(f"{path}.{key}", 'it needs `system`, as in system = "TaskExecuting"')
+    status = signal.system
     if status is None:
-        return SignalDeclaration(name, kind, value, lowest, highest)
-    task = signal.task or (backup.task if backup else None)
-    unit = signal.unit or (backup.unit if backup else FIRST_ROBOT)
-    return SignalDeclaration(name, kind, status.at_start, lowest, highest, status, task, unit)
+        return SignalDeclaration(name, signal.type, value, lowest, highest)
+    start = status.at_start
+    return SignalDeclaration(
+        name, signal.type, start, lowest, highest, status, signal.task, signal.unit
+    )
 
 
-def _limits(
-    reader: Reader,
-    path: str,
-    kind: SignalKind,
-    signal: SignalTable,
-    backup: SignalDeclaration | None,
-) -> tuple[float | None, float | None]:
+def _entry_of(signal: SignalDeclaration) -> dict[str, Any]:
+    """Return the fields of the entry of a signal."""
+    fields = {
+        "type": signal.kind,
+        "value": signal.value,
+        "width": signal.width,
+        "min": signal.lowest,
+        "max": signal.highest,
+        "system": signal.status,
+        "task": signal.task,
+        "unit": signal.unit,
+    }
+    return {name: value for name, value in fields.items() if value is not None}
+
+
+def _limits(reader: Reader, path: str, signal: SignalEntry) -> tuple[float | None, float | None]:
     """Return the lowest and highest value of a signal; analog ones may have no limits."""
-    known = (None, None) if backup is None else (backup.lowest, backup.highest)
-    if kind in (SignalKind.GI, SignalKind.GO):
-        if backup is not None and signal.width is None:
-            return known
-        return 0.0, 2.0 ** (signal.width or GROUP_WIDTH) - 1.0
-    if kind not in (SignalKind.AI, SignalKind.AO):
+    keys = None if signal.type is None else _LIMIT_KEYS.get(signal.type)
+    if keys == _OF_GROUP:
+        return 0.0, 2.0**signal.width - 1.0
+    if keys != _OF_ANALOG:
         return 0.0, 1.0
-    lowest = known[0] if signal.min is None else signal.min
-    highest = known[1] if signal.max is None else signal.max
+    lowest, highest = signal.min, signal.max
     if lowest is not None and highest is not None and lowest >= highest:
         reader.wrong(f"{path}.min", f"{lowest:g} is not below max, {highest:g}")
     return lowest, highest

@@ -52,7 +52,7 @@ _ONLY_CLIENTS = Excludes("accept", "only for peers that `connect`")
 
 
 @value_class(frozen=True, slots=True)
-class SocketTable:
+class PeerTable:
     """A table [[socket]]: a peer of the program's sockets."""
 
     accept: _Peer = None
@@ -75,7 +75,7 @@ def read_sockets(reader: Reader, tables: Table) -> tuple[SocketScript, ...]:
     """Read the list; errors are collected in the reader."""
     scripts = []
     for path, table in reader.tables(tables, "socket"):
-        peer = SocketTable(**values_of(reader, SocketTable, table, path))
+        peer = PeerTable(**values_of(reader, PeerTable, table, path))
         if ("accept" in table) == ("connect" in table):
             reader.wrong(path, "give either `accept` for a server or `connect` for a client")
         if peer.udp and "reconnect" in table:

@@ -20,7 +20,7 @@ from rapidsim.station.controller import ControllerTable
 from rapidsim.station.external_axes import AxisTable
 from rapidsim.station.read import read_station
 from rapidsim.station.robot import RobotTable
-from rapidsim.station.signals import SignalTable
+from rapidsim.station.signals import SignalEntry
 from rapidsim.station.station import Station
 from rapidsim.station.task_kind import TaskKind
 from rapidsim.station.tasks import TaskTable
@@ -222,7 +222,7 @@ def test_every_key_is_tried() -> None:
     assert set(SAID["external_axis"]) == keys(AxisTable)
     assert {*SAID["task"], "rmq"} == keys(TaskTable)
     assert set(SAID["rmq"]) == keys(QueueSettings)
-    assert set(SIGNALS) == keys(SignalTable)
+    assert set(SIGNALS) == keys(SignalEntry)
     assert {"robotware", "stubs"} <= keys(ControllerTable)
 
 

@@ -5,6 +5,7 @@ All of it is plain data, read from a station file or from the file of `--io`.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 from dataclasses import replace
 from enum import StrEnum
@@ -116,6 +117,13 @@ class SignalDeclaration:
     """The task whose state it shows; None for any."""
     unit: str = FIRST_ROBOT
     """The mechanical unit whose state it shows."""
+
+    @property
+    def width(self) -> int | None:
+        """Number of bits of a group; None for other signals."""
+        if self.kind not in (SignalKind.GI, SignalKind.GO) or self.highest is None:
+            return None
+        return round(math.log2(self.highest + 1.0))
 
 
 def _is_period(every_s: float) -> bool:
