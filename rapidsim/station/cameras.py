@@ -26,12 +26,13 @@ _Parameters: TypeAlias = Mapping[str, float | bool | str]
 
 @value_class(frozen=True, slots=True)
 class TargetTable:
-    """What a camera finds in a picture; fields as those of RAPID's `cameratarget`."""
+    """Result of a camera in a picture, with the fields of RAPID's `cameratarget`."""
 
     name: str = ""
     position: tuple[float, float, float] = IDENTITY_POSE.trans
-    """[mm]."""
+    """Position of its frame [mm]."""
     quaternion: tuple[float, float, float, float] = IDENTITY_POSE.rot
+    """Rotation of its frame, the scalar first."""
     val1: float = 0.0
     val2: float = 0.0
     val3: float = 0.0

@@ -36,4 +36,4 @@ class ClockTable:
     """The table [clock]."""
 
     start: datetime | None = None
-    """What the controller's clock shows at time zero."""
+    """Date and time that the controller's clock shows at time zero, without a zone."""

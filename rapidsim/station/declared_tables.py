@@ -49,7 +49,7 @@ def values_of(
     table: Table,
     path: str,
     *,
-    known: Mapping[str, Any] = MappingProxyType({}),
+    defaults: Mapping[str, Any] = MappingProxyType({}),
     without: Sequence[str] = (),
 ) -> dict[str, Any]:
     """Return the valid values of a table by field; errors are collected in the reader.
@@ -59,14 +59,17 @@ def values_of(
         kind: The class that declares the table.
         table: The table.
         path: Its path in messages.
-        known: Values of missing keys, by field.
+        defaults: Values of missing keys, by field.
         without: Keys that this table does not have.
     """
     fields = [field for field in record_fields(kind) if field.key not in without]
     reader.note_unknown_keys(path, table, [field.key for field in fields])
     read = ((field.name, _value(reader, field, table, path)) for field in fields)
-    found = {**known, **{name: value for name, value in read if value is not None}}
-    problems = (*_contradictions(fields, table, known, path), *_lacking(fields, found, table, path))
+    found = {**defaults, **{name: value for name, value in read if value is not None}}
+    problems = (
+        *_contradictions(fields, table, defaults, path),
+        *_lacking(fields, found, table, path),
+    )
     for problem in dict.fromkeys(problems):
         reader.wrong(*problem)
     return found
@@ -77,9 +80,9 @@ def read_record(reader: Reader, kind: type[T], table: Table, path: str) -> T | N
     return as_record(kind, values_of(reader, kind, table, path))
 
 
-def as_record(kind: type[T], found: Mapping[str, Any]) -> T | None:
+def as_record(kind: type[T], values: Mapping[str, Any]) -> T | None:
     """Return the record with some values; None if it requires others."""
-    return kind(**found) if _required(kind) <= found.keys() else None
+    return kind(**values) if _required(kind) <= values.keys() else None
 
 
 def read_table(reader: Reader, station: Table, key: str, kind: type[T]) -> T:
@@ -112,10 +115,10 @@ def _required(kind: type) -> set[str]:
 
 
 def _contradictions(
-    fields: Iterable[RecordField], table: Table, known: Iterable[str], path: str
+    fields: Iterable[RecordField], table: Table, defaults: Iterable[str], path: str
 ) -> Iterator[tuple[str, str]]:
     """Yield the place and the message of each key that others forbid."""
-    present = {*table, *known}
+    present = {*table, *defaults}
     for field in fields:
         for mark in marks_of(field.type)[1] if field.key in table else ():
             if (isinstance(mark, Needs) and mark.key not in present) or (
@@ -125,12 +128,12 @@ def _contradictions(
 
 
 def _lacking(
-    fields: Iterable[RecordField], found: Mapping[str, Any], table: Table, path: str
+    fields: Iterable[RecordField], values: Mapping[str, Any], table: Table, path: str
 ) -> Iterator[tuple[str, str]]:
     """Yield the place and the message of each required value that a table lacks."""
     for field in fields:
         mark = _required_by(marks_of(field.type)[1])
-        if field.name in found:
+        if field.name in values:
             continue
         if mark is not None:
             yield path if mark.of_table else f"{path}.{field.key}", mark.problem

@@ -72,13 +72,16 @@ class AxisTable:
     ]
     """Its letter in `extjoint`."""
     kind: Literal["linear", "rotational"]
+    """Whether its unit is mm or degrees."""
     limits: Annotated[
         tuple[float, float],
         Valid(lambda pair: pair[0] < pair[1], "the first must be below the second"),
     ]
+    """Lowest and highest position."""
     speed: AboveZero
+    """Highest speed, per second."""
     acceleration: AboveZero | None = None
-    """None if it reaches its speed in the `acceleration_time` of the motion model."""
+    """Highest acceleration, per s2; None if it reaches its speed in `acceleration_time`."""
     start: float = 0.0
     """Position before the first move."""
     carries: Carried | None = None
@@ -100,10 +103,10 @@ def _read_axis(
     acceleration_time: float,
     backup: ExternalAxis | None,
 ) -> ExternalAxis | None:
-    known: dict[str, Any] = {}
+    defaults: dict[str, Any] = {}
     if backup is not None and table.get("kind") != _kind(linear=not backup.linear):
-        known = _keys_of(backup)
-    axis = as_record(AxisTable, values_of(reader, AxisTable, table, path, known=known))
+        defaults = _keys_of(backup)
+    axis = as_record(AxisTable, values_of(reader, AxisTable, table, path, defaults=defaults))
     if axis is None:
         return None
     scale = _unit(linear=axis.kind == "linear")

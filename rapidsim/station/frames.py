@@ -19,7 +19,7 @@ class FrameTable:
     position: tuple[float, float, float] = (0.0, 0.0, 0.0)
     """[mm]."""
     quaternion: tuple[float, float, float, float] = (1.0, 0.0, 0.0, 0.0)
-    """Of length 1, to 1 %."""
+    """Rotation, the scalar first; its length is 1, to 1 %."""
 
 
 def _frame(reader: Reader, table: Table, path: str, key: str) -> Transform:

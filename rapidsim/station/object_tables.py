@@ -46,6 +46,7 @@ class SphereTable:
     """The size of a sphere [mm]."""
 
     diameter: AboveZero
+    """[mm]."""
 
     def is_possible(self) -> bool:
         """Whether the lengths are those of a body of a cell."""
@@ -62,6 +63,7 @@ class CylinderTable(SphereTable):
     """The size of a cylinder, or of a capsule with both ends [mm]."""
 
     length: AboveZero
+    """[mm]."""
 
     def is_possible(self) -> bool:
         """Whether the lengths are those of a body of a cell."""
@@ -117,17 +119,21 @@ class ObjectTable:
     """A table [[object]]: a body of the cell."""
 
     name: Annotated[str, Required("is missing")]
+    """Its name."""
     box: Annotated[tuple[float, float, float] | None, Valid(_are_lengths, _NO_LENGTHS)] = None
     """Lengths of the edges [mm]."""
     cylinder: Annotated[
         CylinderTable | None,
         Valid(CylinderTable.is_possible, _NO_LENGTHS),
     ] = None
+    """Its axis is z."""
     sphere: Annotated[SphereTable | None, Valid(SphereTable.is_possible, _NO_LENGTHS)] = None
+    """Its diameter."""
     capsule: Annotated[
         CylinderTable | None,
         Valid(CylinderTable.is_possible, _NO_LENGTHS),
     ] = None
+    """A cylinder whose ends are half spheres, which count in its length."""
     plane: Annotated[bool, ReadBy(_plane)] = False
     """Everything below the x and y axes of its frame."""
     mesh: Path | None = None
@@ -141,14 +147,14 @@ class ObjectTable:
     ] = Filling.SOLID
     """Parts of the mesh that are checked."""
     pose: Annotated[Frame | None, Valid(_is_near, "more than a kilometre away")] = None
-    """Where its centre, or the origin of its mesh, is in its parent; None for the origin."""
+    """Frame of its centre, or of the origin of its mesh, in its parent."""
     parent: Annotated[Parent, ReadBy(_parent)] = Parent()
     """Frame that it is fixed to: `world`, `wobj:NAME`, `link:NUMBER`, `tool`, `unit:NAME` or
     `unit:NAME:AXIS`."""
     robot: str | None = None
     """Task or name of the robot of its parent; None for the first."""
     colour: Annotated[Colour, ReadBy(_colour)] = GREY
-    """Such as `#6080a0`."""
+    """Colour in a recording, such as `#6080a0`."""
 
 
 @value_class(frozen=True, slots=True)
@@ -156,12 +162,14 @@ class AttachTable:
     """A table [[attach]]: a condition on signals under which a robot holds an object."""
 
     when: Condition
+    """While it holds, the robot holds the object."""
     object: str
     """Name of the object."""
     to: Annotated[
         Literal["tool"],
         OneOf("`{}` is not `tool`; only a tool carries objects", folds_case=False),
     ]
+    """Carrier of the object."""
     robot: str | None = None
     """Task or name of the robot; None for the first."""
 
@@ -187,6 +195,10 @@ class CollisionsTable:
     """The table [collisions]: settings of a `CellGeometry`."""
 
     clearance_mm: Annotated[NotNegative, Key("clearance")] = 0.0
+    """Distance below which a run is reported."""
     stops: Annotated[bool, Key("stop-on-collision")] = False
+    """Whether a contact ends the run."""
     own_links: Annotated[bool, Key("own-links")] = True
+    """Whether an arm is checked against itself."""
     ignored: Annotated[tuple[IgnoredPair, ...], Key("ignore"), ReadBy(_ignored)] = ()
+    """Pairs that may touch."""

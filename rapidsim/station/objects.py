@@ -42,10 +42,8 @@ from rapidsim.station.units import LengthUnit
 _MOST_OBJECTS = 1000
 
 
-def read_geometry(reader: Reader, station: Table) -> CellGeometry | None:
-    """Read the tables; None if there are no such tables. Errors are collected in the reader."""
-    if not {"object", "attach", "collisions"} & station.keys():
-        return None
+def read_geometry(reader: Reader, station: Table) -> CellGeometry:
+    """Read the tables; errors are collected in the reader."""
     objects: dict[str, CellObject] = {}
     for number, (path, table) in enumerate(reader.tables(station, "object")):
         if number >= _MOST_OBJECTS:
@@ -91,42 +89,42 @@ def _object(reader: Reader, path: str, table: Table) -> CellObject | None:
         for key in ("unit", "scale", "filling"):
             if key in table:
                 reader.wrong(f"{path}.{key}", f"a {kinds[0]} has no such key")
-    one = as_record(ObjectTable, found)
-    if one is None or len(kinds) != 1:
+    entry = as_record(ObjectTable, found)
+    if entry is None or len(kinds) != 1:
         return None
-    if one.capsule is not None and one.capsule.length <= one.capsule.diameter:
+    if entry.capsule is not None and entry.capsule.length <= entry.capsule.diameter:
         reader.wrong(f"{path}.capsule.length", "with both ends it is longer than the diameter")
         return None
-    body = _solid(one) if one.mesh is None else _mesh(reader, path, table, one, one.mesh)
+    body = _solid(entry) if entry.mesh is None else _mesh(reader, path, table, entry, entry.mesh)
     if body is None:
         return None
     return CellObject(
-        one.name,
+        entry.name,
         body,
-        replace(one.parent, robot=one.robot),
-        one.pose or Transform.identity(),
-        one.colour,
+        replace(entry.parent, robot=entry.robot),
+        entry.pose or Transform.identity(),
+        entry.colour,
     )
 
 
-def _solid(one: ObjectTable) -> Shape | None:
+def _solid(entry: ObjectTable) -> Shape | None:
     """Return the shape of an object that is no mesh; None if it is invalid."""
-    if one.box is not None:
-        return shape.box(np.array(one.box) * MM)
-    if one.plane:
+    if entry.box is not None:
+        return shape.box(np.array(entry.box) * MM)
+    if entry.plane:
         return shape.half_space()
-    if one.sphere is not None:
-        return shape.sphere(one.sphere.radius_m)
-    if one.cylinder is not None:
-        return shape.cylinder(one.cylinder.radius_m, one.cylinder.length * MM)
-    if one.capsule is not None:
-        radius_m = one.capsule.radius_m
-        return shape.capsule(radius_m, one.capsule.length * MM - 2.0 * radius_m)
+    if entry.sphere is not None:
+        return shape.sphere(entry.sphere.radius_m)
+    if entry.cylinder is not None:
+        return shape.cylinder(entry.cylinder.radius_m, entry.cylinder.length * MM)
+    if entry.capsule is not None:
+        radius_m = entry.capsule.radius_m
+        return shape.capsule(radius_m, entry.capsule.length * MM - 2.0 * radius_m)
     return None
 
 
-def _mesh(reader: Reader, path: str, table: Table, one: ObjectTable, file: Path) -> Shape | None:
-    unit = one.unit
+def _mesh(reader: Reader, path: str, table: Table, entry: ObjectTable, file: Path) -> Shape | None:
+    unit = entry.unit
     if "unit" not in table:
         if file.suffix.lower() not in IN_METRES:
             reader.wrong(
@@ -141,14 +139,14 @@ def _mesh(reader: Reader, path: str, table: Table, one: ObjectTable, file: Path)
     except InputError as mistake:
         reader.wrong(f"{path}.mesh", mistake.message, mistake.help)
         return None
-    if one.filling is Filling.SOLID and not mesh.closed:
+    if entry.filling is Filling.SOLID and not mesh.closed:
         reader.wrong(
             f"{path}.mesh",
             f"{file} is not closed, so it has no inside",
             'filling = "surface" checks only its triangles, filling = "hull" their convex hull',
         )
         return None
-    mesh = replace(mesh, vertices=mesh.vertices * (unit.in_m * one.scale))
+    mesh = replace(mesh, vertices=mesh.vertices * (unit.in_m * entry.scale))
     size = float(np.ptp(mesh.vertices, axis=0).max())
     if not LEAST_M <= size <= MOST_M:
         reader.wrong(
@@ -157,4 +155,4 @@ def _mesh(reader: Reader, path: str, table: Table, one: ObjectTable, file: Path)
             "give the unit that it was drawn in",
         )
         return None
-    return shape.of_mesh(mesh, one.filling)
+    return shape.of_mesh(mesh, entry.filling)

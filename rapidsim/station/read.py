@@ -45,7 +45,7 @@ _IO_KEYS = (
 )
 NO_BACKUP = Station()
 _GEOMETRY_KEYS = ("object", "attach", "collisions")
-_KEYS = (
+TABLES = (
     "controller",
     "robot",
     "external_axis",
@@ -57,6 +57,7 @@ _KEYS = (
     "check",
     *_GEOMETRY_KEYS,
 )
+"""Keys of a station file, each a table or a list of tables."""
 
 
 def read_station(file: Path, backup: Station = NO_BACKUP) -> Station:
@@ -72,7 +73,7 @@ def read_station(file: Path, backup: Station = NO_BACKUP) -> Station:
     """
     table = read_toml(file)
     reader = Reader(file)
-    reader.note_unknown_keys("", table, _KEYS)
+    reader.note_unknown_keys("", table, TABLES)
     robots = read_robots(reader, table, backup.robots)
     model, configuration, remarks = read_motion(
         reader, reader.table(table, "motion"), reader.table(table, "dynamics")

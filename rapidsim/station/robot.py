@@ -42,7 +42,7 @@ class RobotTable:
     ] = None
     """Factor on the lengths of the URDF file that converts them to m."""
     base: Frame | None = None
-    """Where the arm stands in the world."""
+    """Base frame of the arm in the world."""
     start: tuple[float, ...] | None = None
     """Its joints at the start [degrees, or mm of a linear axis]."""
     shapes: Annotated[

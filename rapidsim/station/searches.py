@@ -18,8 +18,9 @@ class SearchTable:
     name: str | None = None
     """The `\\SearchName` of the search; None for all."""
     position: tuple[float, float, float] = IDENTITY_POSE.trans
-    """[mm]."""
+    """Displacement of the part [mm]."""
     quaternion: tuple[float, float, float, float] = IDENTITY_POSE.rot
+    """Its rotation, the scalar first."""
 
 
 def read_searches(reader: Reader, tables: Table) -> tuple[PartPose, ...]:

@@ -45,6 +45,7 @@ class SignalEntry:
     """A signal of the table [signals]."""
 
     type: Annotated[SignalKind | None, OneOf(_NO_KIND)] = None
+    """Digital, group or analog; input or output. Required without a backup."""
     value: Level = 0.0
     """Its initial value."""
     width: Annotated[AboveZero, whole_number(1, GROUP_WIDTH)] = GROUP_WIDTH
@@ -108,8 +109,8 @@ def _signal(
     reader: Reader, path: str, name: str, table: Table, backup: SignalDeclaration | None
 ) -> SignalDeclaration | None:
     text = str(table.get("type") or "").lower()
-    known = _entry_of(backup) if backup and text in ("", backup.kind) else {}
-    signal = SignalEntry(**values_of(reader, SignalEntry, table, path, known=known))
+    defaults = _entry_of(backup) if backup and text in ("", backup.kind) else {}
+    signal = SignalEntry(**values_of(reader, SignalEntry, table, path, defaults=defaults))
     if signal.type is None:
         if "type" not in table:
             reader.wrong(f"{path}.type", _NO_KIND.format(""))

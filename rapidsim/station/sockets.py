@@ -64,7 +64,7 @@ class PeerTable:
     after: Annotated[NotNegative, _ONLY_CLIENTS] = 0.0
     """The time [s] from the program's listening to the connection."""
     steps: Annotated[tuple[SocketStep, ...], ReadBy(_steps)] = ()
-    """What it does."""
+    """Exchange with the program."""
     repeat: bool = False
     """Whether the steps repeat after the last one."""
     reconnect: Annotated[bool, _ONLY_CLIENTS] = False

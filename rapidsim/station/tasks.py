@@ -68,9 +68,11 @@ class TaskTable:
     """A table [[task]]."""
 
     name: str = DEFAULT_TASK
+    """Its name."""
     modules: tuple[str, ...] = ()
     """Modules, program files or folders; the first task also has those of the command line."""
     type: Annotated[TaskKind, noun("a type")] = TaskKind.NORMAL
+    """Whether a run waits for its end; others run in the background and repeat main."""
     motion: bool | None = None
     """Whether it moves a robot; None for a normal task if a robot remains."""
     robot: str | None = None
@@ -78,9 +80,9 @@ class TaskTable:
     entry: str | None = None
     """The procedure it begins with; None for `main`."""
     check_references: bool | None = None
-    """Whether unresolved references are errors; False is `-BindRef 0` of a controller."""
+    """Whether unresolved references are errors, as without `-BindRef 0`; None for true."""
     rmq: Annotated[Mapping[str, Any] | None, ReadBy(_queue)] = None
-    """Message queue: values of `QueueSettings`."""
+    """Its message queue, by the fields of `QueueSettings`; None if it is not described."""
 
 
 _NO_TASK = StationTask()

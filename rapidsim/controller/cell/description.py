@@ -143,6 +143,7 @@ class Stimulus:
     ] = None
     """Time from one change to the next; None if it happens once."""
     when: Condition | None = None
+    """In place of a time: the condition that causes the change each time that it becomes true."""
     after_s: Annotated[
         NotNegative, Key("after"), Needs("when", "it needs `when`; with the clock, use `at`")
     ] = 0.0
@@ -162,6 +163,7 @@ class Gripper:
     """A gripper of a program: the signals that close it and those that confirm that."""
 
     name: str = "the gripper"
+    """Its name in findings."""
     close: Annotated[
         Condition, Required('say what closes it, as in close = "doGrip = 1"', of_table=True)
     ]
@@ -171,7 +173,7 @@ class Gripper:
     at: Annotated[
         Literal["stand", "anywhere"], OneOf('"stand" or "anywhere" is needed', folds_case=False)
     ] = "stand"
-    """Whether the arm must be at rest when it closes or opens."""
+    """Place of its action: where the arm is at rest, or anywhere."""
     load_kg: Annotated[NotNegative, Key("load")] = 0.0
     """Mass of the held object; 0 if not specified."""
     task: str | None = None
@@ -186,7 +188,9 @@ class CrossConnection:
     """A signal that the I/O system or a device derives from others, without the program."""
 
     result: Annotated[str, Key("set"), _CROSS]
+    """The signal."""
     condition: Annotated[Condition, Key("from"), _CROSS]
+    """While it holds, the signal is 1, otherwise 0."""
     after_s: Annotated[NotNegative, Key("after")] = 0.0
     """The delay, each time."""
 
