@@ -12,7 +12,7 @@ from enum import EnumType
 from functools import partial
 from pathlib import Path
 from types import MappingProxyType
-from typing import Any, Literal, TypeAlias, TypeGuard, TypeVar, get_args, get_origin
+from typing import Any, Literal, TypeAlias, TypeVar, get_args, get_origin
 
 from rapidsim.controller.cell.conditions import Condition, ConditionError, read_condition
 from rapidsim.json_records.declarations import (
@@ -98,18 +98,6 @@ def read_records(reader: Reader, station: Table, key: str, kind: type[T]) -> tup
     return tuple(record for record in records if record is not None)
 
 
-def read_when(reader: Reader, table: Table, path: str, key: str) -> Condition | None:
-    """Read a condition on signals; None if it is missing or invalid."""
-    text = reader.text(table, path, key)
-    if text is None:
-        return None
-    try:
-        return read_condition(text)
-    except ConditionError as error:
-        reader.wrong(f"{path}.{key}", str(error))
-        return None
-
-
 def _required(kind: type) -> set[str]:
     return {field.name for field in record_fields(kind) if field.default is MISSING}
 
@@ -132,7 +120,7 @@ def _lacking(
 ) -> Iterator[tuple[str, str]]:
     """Yield the place and the message of each required value that a table lacks."""
     for field in fields:
-        mark = _required_by(marks_of(field.type)[1])
+        mark = _mark(marks_of(field.type)[1], Required)
         if field.name in values:
             continue
         if mark is not None:
@@ -150,7 +138,7 @@ def _value(reader: Reader, field: RecordField, table: Table, path: str) -> Any:
     type_, inner = marks_of(alternatives(declared)[0][0])
     # An empty text is the default of a text; a required text is missing.
     if table[key] == "" and (
-        isinstance(field.default, str) or (type_ is str and _required_by(marks))
+        isinstance(field.default, str) or (type_ is str and _mark(marks, Required) is not None)
     ):
         return None
     value = _conversion(type_, (*marks, *inner))(reader, table, path, key)
@@ -171,7 +159,7 @@ def _conversion(type_: Any, marks: tuple[Any, ...]) -> Conversion:
         return partial(_nested, kind=type_)
     arguments = get_args(type_)
     if get_origin(type_) is Literal or isinstance(type_, EnumType):
-        return partial(_choice, of=type_, message=next(filter(_is_message, marks), None))
+        return partial(_choice, of=type_, message=_mark(marks, OneOf))
     return partial(Reader.numbers, count=None if Ellipsis in arguments else len(arguments))
 
 
@@ -199,18 +187,26 @@ def _choice(
         return None
 
 
-def _required_by(marks: Iterable[object]) -> Required | None:
-    return next((mark for mark in marks if isinstance(mark, Required)), None)
-
-
-def _is_message(mark: object) -> TypeGuard[OneOf]:
-    return isinstance(mark, OneOf)
+def _mark(marks: Iterable[object], kind: type[T]) -> T | None:
+    """Return the first mark of a kind."""
+    return next((mark for mark in marks if isinstance(mark, kind)), None)
 
 
 def _none_of(words: Sequence[str]) -> str:
     if len(words) == 2:
         return f"neither `{words[0]}` nor `{words[1]}`"
     return f"none of {', '.join(f'`{one}`' for one in words)}"
+
+
+def _condition(reader: Reader, table: Table, path: str, key: str) -> Condition | None:
+    text = reader.text(table, path, key)
+    if text is None:
+        return None
+    try:
+        return read_condition(text)
+    except ConditionError as error:
+        reader.wrong(f"{path}.{key}", str(error))
+        return None
 
 
 def _bytes(reader: Reader, table: Table, path: str, key: str) -> bytes | None:
@@ -258,7 +254,7 @@ _CONVERSIONS: Mapping[Any, Conversion] = {
     Path: _path,
     tuple[Path, ...]: _paths,
     datetime: _date,
-    Condition: read_when,
+    Condition: _condition,
     tuple[str, ...]: Reader.texts,
     Mapping[str, float]: _levels,
     NumberRange.LEVEL: Reader.level,

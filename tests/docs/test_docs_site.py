@@ -1,5 +1,6 @@
 """The site is built without a warning, has a place for every page, and generated pages are new."""
 
+import re
 import runpy
 import shutil
 import subprocess
@@ -11,6 +12,7 @@ from typing import Any
 
 import pytest
 
+from rapidsim.station.object_tables import SHAPES
 from rapidsim.station.read import TABLES
 
 ROOT = Path(__file__).parents[2]
@@ -67,3 +69,9 @@ def test_every_key_of_the_station_file_has_a_meaning() -> None:
     targets = page[page.index("### Camera target") : page.index("### Sphere")]
     empty = [line for line in page.replace(targets, "").splitlines() if line.endswith("|  |")]
     assert not empty
+
+
+def test_the_page_of_collisions_has_every_shape() -> None:
+    page = (ROOT / "docs" / "collisions.md").read_text(encoding="utf-8")
+    shown = re.findall(r"^\| `(\w+) = ", page, re.MULTILINE)
+    assert sorted(shown) == sorted(SHAPES)
