@@ -72,6 +72,10 @@ class Suggestion(str):
         line.names = tuple(names)
         return line
 
+    def __reduce__(self) -> tuple[type[Suggestion], tuple[tuple[str, ...]]]:
+        """Return the constructor and its arguments, for copies and other processes."""
+        return (Suggestion, (self.names,))
+
 
 @value_class(frozen=True, slots=True)
 class SourceFile:

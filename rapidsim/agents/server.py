@@ -14,6 +14,7 @@ from mcp.types import ToolAnnotations
 from rapidsim import __version__
 from rapidsim.agents import knowledge_tools, picture_tools, program_tools, records
 from rapidsim.agents.paging import Answer
+from rapidsim.agents.worker import Worker
 from rapidsim.files import InputError
 
 _INSTRUCTIONS = (
@@ -44,31 +45,36 @@ _ANNOTATIONS = ToolAnnotations(
 def serve() -> None:
     """Serve the tools on standard input and output until the client ends."""
     server = MCPServer("rapidsim", instructions=_INSTRUCTIONS, version=__version__)
+    worker = Worker()
     for name, (tool, record) in _TOOLS.items():
         server.tool(name=name, description=tool.__doc__, annotations=_ANNOTATIONS)(
-            _guarded(tool, record)
+            _guarded(tool, record, worker)
         )
-    server.tool(name="path_picture", annotations=_ANNOTATIONS)(path_picture)
-    server.run("stdio")
 
+    @server.tool(annotations=_ANNOTATIONS)
+    def path_picture(
+        files: dict[str, str], robot: str | None = None, station: str | None = None
+    ) -> Image:
+        """Run a program and draw the path of its TCP."""
+        try:
+            png = worker.call(picture_tools.path_picture, files, robot, station)
+        except InputError as error:
+            raise ToolError(error.message) from None
+        return Image(data=png, format="png")
 
-def path_picture(
-    files: dict[str, str], robot: str | None = None, station: str | None = None
-) -> Image:
-    """Run a program and draw the path of its TCP."""
     try:
-        return Image(data=picture_tools.path_picture(files, robot, station), format="png")
-    except InputError as error:
-        raise ToolError(error.message) from None
+        server.run("stdio")
+    finally:
+        worker.close()
 
 
-def _guarded(tool: Callable[..., Answer], record: type) -> Callable[..., Any]:
-    """Return a tool that answers with the error if its input cannot be used."""
+def _guarded(tool: Callable[..., Answer], record: type, worker: Worker) -> Callable[..., Any]:
+    """Return a tool of the worker that answers with the error if its input cannot be used."""
 
     @wraps(tool)
     def call(*arguments: Any, **named: Any) -> Any:
         try:
-            return tool(*arguments, **named)
+            return worker.call(tool, *arguments, **named)
         except InputError as error:
             return {
                 "error": {

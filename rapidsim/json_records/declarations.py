@@ -57,10 +57,13 @@ class NumberRange(Enum):
 
     ABOVE_ZERO = "above 0"
     NOT_NEGATIVE = "not negative"
+    LEVEL = "value of a signal"
+    """A number, or true or false."""
 
 
 AboveZero: TypeAlias = Annotated[float, NumberRange.ABOVE_ZERO]
 NotNegative: TypeAlias = Annotated[float, NumberRange.NOT_NEGATIVE]
+Level: TypeAlias = Annotated[float, NumberRange.LEVEL]
 
 
 @value_class(frozen=True, slots=True)
@@ -69,6 +72,7 @@ class Valid:
 
     holds: Callable[[Any], bool]
     problem: str
+    """Format of the message, in which `{}` is the value."""
 
 
 def whole_number(least: int, most: int) -> Valid:
@@ -78,11 +82,44 @@ def whole_number(least: int, most: int) -> Valid:
 
 
 @value_class(frozen=True, slots=True)
-class Noun:
-    """Name of the values of an enumeration in messages."""
+class OneOf:
+    """Messages for a text that is none of the words of an enumeration or a literal."""
 
-    text: str
+    problem: str
+    """Format of the message, in which `{}` is the text."""
+    lists_words: bool = False
+    """Whether a help line lists the words."""
     folds_case: bool = True
+
+
+def noun(text: str, *, folds_case: bool = True) -> OneOf:
+    """Return the messages for words that a noun with its article names, such as `a type`."""
+    return OneOf(f"`{{}}` is not {text}", lists_words=True, folds_case=folds_case)
+
+
+@value_class(frozen=True, slots=True)
+class Required:
+    """Message for a required value that is missing, empty or invalid."""
+
+    problem: str
+    of_table: bool = False
+    """Whether the message is about the table, not about the key."""
+
+
+@value_class(frozen=True, slots=True)
+class Needs:
+    """A key that the table must have for this one, and the message if it lacks it."""
+
+    key: str
+    problem: str
+
+
+@value_class(frozen=True, slots=True)
+class Excludes:
+    """A key that the table must not have in addition to this one, and the message if it has."""
+
+    key: str
+    problem: str
 
 
 @value_class(frozen=True, slots=True)

@@ -8,7 +8,7 @@ from typing import Annotated
 
 from rapidsim.diagnostics import Severity
 from rapidsim.files import input_bytes, require_inside
-from rapidsim.json_records.declarations import AboveZero, Key, Noun
+from rapidsim.json_records.declarations import AboveZero, Key, noun
 from rapidsim.station.declared_tables import ReadBy, values_of
 from rapidsim.station.toml_reader import Reader, Table, read_toml
 from rapidsim.values import value_class
@@ -38,7 +38,7 @@ class CheckTable:
         tuple[tuple[str, tuple[str, ...]], ...], Key("per-file-ignores"), ReadBy(_per_file_ignores)
     ] = ()
     """Patterns such as `*Data.mod`, with the rules excluded in files whose name or path matches."""
-    fail_on: Annotated[Severity | None, Key("fail-on"), Noun("a severity", folds_case=False)] = None
+    fail_on: Annotated[Severity | None, Key("fail-on"), noun("a severity", folds_case=False)] = None
     """Lowest severity that sets exit code 1; None for warnings."""
     baseline: Path | None = None
     """File of known findings."""

@@ -4,17 +4,17 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from typing import Annotated
+from typing import Annotated, Any, Literal
 
 from rapidsim.frames.transform import Transform
 from rapidsim.json_records.declarations import AboveZero, Valid
 from rapidsim.motion.configurations.targets import MM
 from rapidsim.motion.robot.external_axes import LETTERS, Carried, ExternalAxis
-from rapidsim.station.declared_tables import ReadBy, values_of
+from rapidsim.station.declared_tables import as_record, values_of
+from rapidsim.station.frames import Frame
 from rapidsim.station.toml_reader import Reader, Table
 from rapidsim.values import value_class
 
-_FRAME_KEYS = ("position", "quaternion")
 _DIRECTIONS = {"linear": (1.0, 0.0, 0.0), "rotational": (0.0, 0.0, 1.0)}
 """The direction of an axis without `direction`, by its kind."""
 
@@ -57,22 +57,6 @@ def _axis_of(table: Table, defaults: Sequence[ExternalAxis]) -> ExternalAxis | N
     return next((axis for axis in axes if axis.letter == letter), None)
 
 
-def read_frame(reader: Reader, table: Table, path: str) -> Transform:
-    """Read a frame [mm] as a transform [m]; the identity if it is missing."""
-    reader.note_unknown_keys(path, table, _FRAME_KEYS)
-    position = reader.numbers(table, path, "position", 3) or (0.0, 0.0, 0.0)
-    quaternion = reader.numbers(table, path, "quaternion", 4) or (1.0, 0.0, 0.0, 0.0)
-    length = math.hypot(*quaternion)
-    if abs(length - 1.0) > 1e-2:
-        reader.wrong(f"{path}.quaternion", f"its length is {length:.4g}, not 1")
-        return Transform.identity()
-    return Transform.from_quaternion(quaternion, [x * MM for x in position])
-
-
-def _frame(reader: Reader, table: Table, path: str, key: str) -> Transform:
-    return read_frame(reader, reader.table(table, key, f"{path}.{key}"), f"{path}.{key}")
-
-
 def _is_direction(direction: Sequence[float]) -> bool:
     return math.hypot(*direction) >= 1e-6
 
@@ -81,22 +65,35 @@ def _is_direction(direction: Sequence[float]) -> bool:
 class AxisTable:
     """A table [[external_axis]]; lengths are in mm, angles in degrees."""
 
-    name: str | None = None
-    axis: str | None = None
-    kind: str | None = None
+    name: str
+    """Name of its mechanical unit."""
+    axis: Annotated[
+        str, Valid(tuple(LETTERS).__contains__, f"`{{}}` is none of {', '.join(LETTERS)}")
+    ]
+    """Its letter in `extjoint`."""
+    kind: Literal["linear", "rotational"]
+    """Whether its unit is mm or degrees."""
     limits: Annotated[
-        tuple[float, float] | None,
+        tuple[float, float],
         Valid(lambda pair: pair[0] < pair[1], "the first must be below the second"),
-    ] = None
-    speed: AboveZero | None = None
+    ]
+    """Lowest and highest position."""
+    speed: AboveZero
+    """Highest speed, per second."""
     acceleration: AboveZero | None = None
+    """Highest acceleration, per s2; None if it reaches its speed in `acceleration_time`."""
     start: float = 0.0
+    """Position before the first move."""
     carries: Carried | None = None
+    """Object that it moves; None if it moves nothing that targets refer to."""
     direction: Annotated[
         tuple[float, float, float] | None,
         Valid(_is_direction, "a direction must not be all zeros"),
     ] = None
-    frame: Annotated[Transform | None, ReadBy(_frame)] = None
+    """Direction of a linear axis or of the axis of rotation, in the world with all axes at zero;
+    None for x of a linear axis, else z."""
+    frame: Frame | None = None
+    """User frame that a positioner carries, with all axes at zero; None for the world."""
 
 
 def _read_axis(
@@ -104,54 +101,47 @@ def _read_axis(
     path: str,
     table: Table,
     acceleration_time: float,
-    fallback: ExternalAxis | None,
+    backup: ExternalAxis | None,
 ) -> ExternalAxis | None:
-    found = AxisTable(**values_of(reader, AxisTable, table, path))
-    letter, kind, limits, speed = found.axis, found.kind, found.limits, found.speed
-    acceleration, carries, direction = found.acceleration, found.carries, found.direction
-    if fallback is not None:
-        letter, of_known = fallback.letter, "linear" if fallback.linear else "rotational"
-        fallback, kind = (fallback if kind in (None, of_known) else None), kind or of_known
-    if fallback is None:
-        reader.require(path, table, ("name", "axis", "kind", "limits", "speed"))
-    letter = _one_of(reader, f"{path}.axis", letter, tuple(LETTERS), "none of a, b, c, d, e, f")
-    kind = _one_of(
-        reader, f"{path}.kind", kind, tuple(_DIRECTIONS), "neither `linear` nor `rotational`"
-    )
-    frame = found.frame
-    if fallback is not None:
-        scale = _unit(linear=fallback.linear)
-        limits = limits or (fallback.lower / scale, fallback.upper / scale)
-        acceleration = acceleration or fallback.max_acceleration / scale
-        speed, direction = speed or fallback.max_speed / scale, direction or fallback.direction
-        carries = carries if "carries" in table else fallback.carries
-        frame = frame or fallback.world_from_user
-    if found.name is None or letter is None or kind is None or limits is None or speed is None:
+    defaults: dict[str, Any] = {}
+    if backup is not None and table.get("kind") != _kind(linear=not backup.linear):
+        defaults = _keys_of(backup)
+    axis = as_record(AxisTable, values_of(reader, AxisTable, table, path, defaults=defaults))
+    if axis is None:
         return None
-    linear = kind == "linear"
-    scale = _unit(linear=linear)
+    scale = _unit(linear=axis.kind == "linear")
     return ExternalAxis(
-        unit=found.name,
-        letter=letter,
-        linear=linear,
-        lower=limits[0] * scale,
-        upper=limits[1] * scale,
-        max_speed=speed * scale,
-        max_acceleration=(acceleration or speed / acceleration_time) * scale,
-        start=found.start * scale,
-        carries=carries,
-        direction=direction or _DIRECTIONS[kind],
-        world_from_user=frame or Transform.identity(),
+        unit=axis.name,
+        letter=axis.axis,
+        linear=axis.kind == "linear",
+        lower=axis.limits[0] * scale,
+        upper=axis.limits[1] * scale,
+        max_speed=axis.speed * scale,
+        max_acceleration=(axis.acceleration or axis.speed / acceleration_time) * scale,
+        start=axis.start * scale,
+        carries=axis.carries,
+        direction=axis.direction or _DIRECTIONS[axis.kind],
+        world_from_user=axis.frame or Transform.identity(),
     )
 
 
-def _one_of(
-    reader: Reader, path: str, text: str | None, words: tuple[str, ...], problem: str
-) -> str | None:
-    if text is None or text in words:
-        return text
-    reader.wrong(path, f"`{text}` is {problem}")
-    return None
+def _keys_of(axis: ExternalAxis) -> dict[str, Any]:
+    """Return the fields of the table of an axis, except for its name and start."""
+    scale = _unit(linear=axis.linear)
+    return {
+        "axis": axis.letter,
+        "kind": _kind(linear=axis.linear),
+        "limits": (axis.lower / scale, axis.upper / scale),
+        "speed": axis.max_speed / scale,
+        "acceleration": axis.max_acceleration / scale,
+        "carries": axis.carries,
+        "direction": axis.direction,
+        "frame": axis.world_from_user,
+    }
+
+
+def _kind(*, linear: bool) -> str:
+    return "linear" if linear else "rotational"
 
 
 def _unit(*, linear: bool) -> float:

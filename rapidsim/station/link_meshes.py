@@ -12,7 +12,7 @@ from rapidsim.collisions.link_shapes import shapes_of_meshes
 from rapidsim.collisions.meshes.read import IN_METRES, KINDS
 from rapidsim.files import InputError, entries_of, require_inside
 from rapidsim.motion.robot.robot import LinkMeshes, Robot
-from rapidsim.station.toml_reader import UNITS_M
+from rapidsim.station.units import LengthUnit
 
 
 def with_meshes(arm: Robot, folder: Path, unit_m: float | None, *, in_base: bool) -> Robot:
@@ -42,7 +42,7 @@ def with_meshes(arm: Robot, folder: Path, unit_m: float | None, *, in_base: bool
         if unit_m is None and file.suffix.lower() not in IN_METRES:
             raise InputError(
                 f"{file} does not say its unit",
-                f'give `shapes-unit = "mm"`, or another of {", ".join(UNITS_M)}',
+                f'give `shapes-unit = "mm"`, or another of {", ".join(LengthUnit)}',
             )
         found[name] = file
     if missing := [name for name in names if name not in found]:

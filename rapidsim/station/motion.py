@@ -51,14 +51,14 @@ class MotionTable:
     acceleration: Annotated[
         tuple[float, ...] | None, Valid(_above_zero, "accelerations must be above 0")
     ] = None
-    """[deg/s2]."""
+    """Known axis accelerations [deg/s2], which replace `acceleration_time`."""
     payload_acceleration: AboveZero | None = None
     max_speed: Annotated[
         tuple[float, ...] | None,
         Key("axis_speed"),
         Valid(_above_zero, "axis speeds must be above 0"),
     ] = None
-    """[deg/s]."""
+    """Axis speeds [deg/s] that replace the robot's, for arms without published values."""
     filter_time: NotNegative | None = None
     smoothing: Smoothing | None = None
     fine_dwell: NotNegative | None = None

@@ -8,18 +8,17 @@ Each missing key has the value of the controller backup, if there is one.
 
 from __future__ import annotations
 
-from datetime import datetime
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from rapidsim.controller.cell.conveyors import ConveyorScript
-from rapidsim.controller.cell.description import CellIo
+from rapidsim.controller.cell.description import CellIo, DescribedFingers
 from rapidsim.station.cameras import read_cameras
 from rapidsim.station.check import read_check
-from rapidsim.station.controller import read_robotware_of, read_stubs
-from rapidsim.station.declared_tables import read_records
+from rapidsim.station.controller import ClockTable, ControllerTable
+from rapidsim.station.declared_tables import read_records, read_table
 from rapidsim.station.external_axes import read_external_axes
-from rapidsim.station.grippers import read_grippers, read_smart_grippers
+from rapidsim.station.grippers import read_grippers
 from rapidsim.station.motion import ConfigurationRule, read_motion
 from rapidsim.station.robot import dropped_bounds, read_robots
 from rapidsim.station.searches import read_searches
@@ -46,7 +45,7 @@ _IO_KEYS = (
 )
 NO_BACKUP = Station()
 _GEOMETRY_KEYS = ("object", "attach", "collisions")
-_KEYS = (
+TABLES = (
     "controller",
     "robot",
     "external_axis",
@@ -58,6 +57,7 @@ _KEYS = (
     "check",
     *_GEOMETRY_KEYS,
 )
+"""Keys of a station file, each a table or a list of tables."""
 
 
 def read_station(file: Path, backup: Station = NO_BACKUP) -> Station:
@@ -73,27 +73,28 @@ def read_station(file: Path, backup: Station = NO_BACKUP) -> Station:
     """
     table = read_toml(file)
     reader = Reader(file)
-    reader.note_unknown_keys("", table, _KEYS)
+    reader.note_unknown_keys("", table, TABLES)
     robots = read_robots(reader, table, backup.robots)
     model, configuration, remarks = read_motion(
         reader, reader.table(table, "motion"), reader.table(table, "dynamics")
     )
-    labels = [robot.label for robot in robots] or [None]
+    external_axes = read_external_axes(reader, table, model.acceleration_time, backup.external_axes)
+    tasks = read_tasks(reader, table, [robot.label for robot in robots] or [None], backup.tasks)
+    io = _io(reader, table, backup.io)
+    controller = read_table(reader, table, "controller", ControllerTable)
     names_arm = bool(robots) and (not backup.robots or robots[0].name != backup.robots[0].name)
     station = Station(
         file=file,
         robots=robots,
-        external_axes=read_external_axes(
-            reader, table, model.acceleration_time, backup.external_axes
-        ),
+        external_axes=external_axes,
         model=model,
         nearest_configuration=configuration is ConfigurationRule.NEAREST,
         exact_configuration=configuration is ConfigurationRule.EXACT,
-        tasks=read_tasks(reader, table, labels, backup.tasks),
-        io=_io(reader, table, backup.io),
-        robotware=read_robotware_of(reader, reader.table(table, "controller")) or backup.robotware,
-        stubs=read_stubs(reader, reader.table(table, "controller")),
-        starts_at=_starts_at(reader, reader.table(table, "clock")),
+        tasks=tasks,
+        io=io,
+        robotware=controller.robotware or backup.robotware,
+        stubs=controller.stubs,
+        starts_at=read_table(reader, table, "clock", ClockTable).start,
         check=read_check(reader, reader.table(table, "check")),
         geometry=_geometry(reader, table),
         configured=backup.configured,
@@ -119,16 +120,6 @@ def read_io(file: Path) -> CellIo:
     return io
 
 
-def _starts_at(reader: Reader, clock: Table) -> datetime | None:
-    """Read `[clock] start`: the controller's clock at time zero, in TOML's notation of dates."""
-    reader.note_unknown_keys("clock", clock, ("start",))
-    start = clock.get("start")
-    if start is None or isinstance(start, datetime):
-        return None if start is None else start.replace(tzinfo=None)
-    reader.wrong("clock.start", "a date with a time is needed, as in 2025-03-01T06:00:00")
-    return None
-
-
 def _geometry(reader: Reader, table: Table) -> CellGeometry | None:
     if not table.keys() & set(_GEOMETRY_KEYS):
         return None
@@ -147,6 +138,6 @@ def _io(reader: Reader, table: Table, backup: CellIo = NO_BACKUP.io) -> CellIo:
         read_cameras(reader, table),
         read_records(reader, table, "conveyor", ConveyorScript),
         read_grippers(reader, table),
-        read_smart_grippers(reader, table),
+        read_records(reader, table, "smart_gripper", DescribedFingers),
         read_searches(reader, table),
     )

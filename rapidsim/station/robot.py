@@ -6,21 +6,55 @@ from collections.abc import Iterator, Sequence
 from dataclasses import field, replace
 from itertools import count
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Annotated, Literal
 
 from rapidsim.frames.transform import Transform
+from rapidsim.json_records.declarations import Excludes, Key, Needs, Valid
 from rapidsim.motion.robot.catalogue import entry_name
-from rapidsim.station.external_axes import read_frame
-from rapidsim.station.toml_reader import UNITS_M, Reader, Table
+from rapidsim.station.declared_tables import values_of
+from rapidsim.station.frames import Frame
+from rapidsim.station.toml_reader import Reader, Table
+from rapidsim.station.units import UnitKey
 from rapidsim.values import value_class
 
 if TYPE_CHECKING:
     from rapidsim.motion.robot.external_axes import ExternalAxis
     from rapidsim.motion.robot.robot import Robot
 
-_KEYS = ("model", "urdf", "scale", "base", "start", "shapes", "shapes-unit", "shapes-frame")
 _USUAL_AXES = 6
-_KEYS_OF_SEVERAL = ("name", *_KEYS)
+_SHAPES_MISSING = Needs("shapes", "describes `shapes`, which are missing")
+
+
+@value_class(frozen=True, slots=True)
+class RobotTable:
+    """A table [robot] or [[robot]]: an arm of the catalogue, or of a URDF file, and its place."""
+
+    name: str | None = None
+    """Name of one of several robots, in [[task]] tables."""
+    model: str | None = None
+    """Name in the catalogue."""
+    urdf: str | None = None
+    """Path of a URDF file."""
+    scale: Annotated[
+        float | None,
+        Needs("urdf", "only lengths of a `urdf` are scaled"),
+        Valid(lambda scale: scale > 0.0, "must be greater than 0, not {:g}"),
+    ] = None
+    """Factor on the lengths of the URDF file that converts them to m."""
+    base: Frame | None = None
+    """Base frame of the arm in the world."""
+    start: tuple[float, ...] | None = None
+    """Its joints at the start [degrees, or mm of a linear axis]."""
+    shapes: Annotated[
+        Path | None,
+        Excludes("urdf", "a `urdf` names its own shapes"),
+        Valid(Path.is_dir, "{} is not a folder"),
+    ] = None
+    """Folder of the user's own meshes of its links."""
+    shapes_unit: Annotated[UnitKey, Key("shapes-unit"), _SHAPES_MISSING] = None
+    """Length unit of the meshes."""
+    shapes_frame: Annotated[Literal["link", "base"], Key("shapes-frame"), _SHAPES_MISSING] = "link"
+    """Frame of each mesh: that of its link, or for all the base, with all axes at zero."""
 
 
 @value_class(frozen=True, slots=True)
@@ -103,17 +137,18 @@ def read_robots(
     """
     if "robot" not in station:
         return tuple(defaults)
-    keys: tuple[str, ...] = _KEYS_OF_SEVERAL
+    without: tuple[str, ...] = ()
     if isinstance(station.get("robot"), list):
         tables = list(reader.tables(station, "robot"))
     else:
-        tables, keys = [("robot", reader.table(station, "robot"))], _KEYS
+        # A name distinguishes several.
+        tables, without = [("robot", reader.table(station, "robot"))], ("name",)
     robots = list(defaults)
     for (path, robot), place in zip(tables, _places(tables, defaults), strict=True):
         if place < len(defaults):
-            robots[place] = _read_robot(reader, path, robot, keys, defaults[place])
+            robots[place] = _read_robot(reader, path, robot, without, defaults[place])
         else:
-            robots.append(_read_robot(reader, path, robot, keys, StationRobot()))
+            robots.append(_read_robot(reader, path, robot, without, StationRobot()))
     labels = [robot.label.lower() for robot in robots if robot.label]
     if len(set(labels)) != len(labels):
         reader.wrong("robot", "two robots have one name")
@@ -142,58 +177,27 @@ def dropped_bounds(
 
 
 def _read_robot(
-    reader: Reader, path: str, robot: Table, keys: Sequence[str], default: StationRobot
+    reader: Reader, path: str, table: Table, without: Sequence[str], default: StationRobot
 ) -> StationRobot:
-    reader.note_unknown_keys(path, robot, keys)
-    if "model" in robot and "urdf" in robot:
+    robot = RobotTable(**values_of(reader, RobotTable, table, path, without=without))
+    if "model" in table and "urdf" in table:
         reader.wrong(path, "give `model` or `urdf`, not both")
-    base = default.world_from_base
-    if "base" in robot:
-        base = read_frame(reader, reader.table(robot, "base", f"{path}.base"), f"{path}.base")
-    name = reader.text(robot, path, "model")
-    urdf = reader.text(robot, path, "urdf")
-    if urdf is not None:
-        name = str(reader.file.parent / urdf)
-    scale = reader.number(robot, path, "scale")
-    if scale is not None and urdf is None:
-        reader.wrong(f"{path}.scale", "only lengths of a `urdf` are scaled")
-    elif scale is not None and scale <= 0.0:
-        reader.wrong(f"{path}.scale", f"must be greater than 0, not {scale:g}")
+    name = robot.model if robot.urdf is None else str(reader.file.parent / robot.urdf)
     found = replace(
         default,
         name=name or default.name,
-        scale=scale,
-        start_joints_deg=reader.numbers(robot, path, "start", None),
-        world_from_base=base,
-        label=reader.text(robot, path, "name") or default.label,
+        scale=robot.scale,
+        start_joints_deg=robot.start,
+        world_from_base=default.world_from_base if robot.base is None else robot.base,
+        label=robot.name or default.label,
         unknown=None if name else default.unknown,
         bounds=default.bounds if name is None or default.has_bounds_of(name) else (),
     )
-    return _with_shapes(reader, path, robot, found)
-
-
-def _with_shapes(reader: Reader, path: str, robot: Table, found: StationRobot) -> StationRobot:
-    name = reader.text(robot, path, "shapes")
-    unit = reader.text(robot, path, "shapes-unit")
-    frame = reader.text(robot, path, "shapes-frame") or "link"
-    if name is None:
-        for key in ("shapes-unit", "shapes-frame"):
-            if key in robot:
-                reader.wrong(f"{path}.{key}", "describes `shapes`, which are missing")
+    if robot.shapes is None:
         return found
-    if "urdf" in robot:
-        reader.wrong(f"{path}.shapes", "a `urdf` names its own shapes")
-    folder = reader.inside(name, f"{path}.shapes")
-    if folder is not None and not folder.is_dir():
-        reader.wrong(f"{path}.shapes", f"{folder} is not a folder")
-    if unit is not None and unit not in UNITS_M:
-        known = ", ".join(UNITS_M)
-        reader.wrong(f"{path}.shapes-unit", f"`{unit}` is not a unit of length", f"known: {known}")
-    if frame not in ("link", "base"):
-        reader.wrong(f"{path}.shapes-frame", f"`{frame}` is neither `link` nor `base`")
     return replace(
         found,
-        shapes=folder,
-        shapes_unit_m=None if unit is None else UNITS_M.get(unit),
-        shapes_in_base=frame == "base",
+        shapes=robot.shapes,
+        shapes_unit_m=None if robot.shapes_unit is None else robot.shapes_unit.in_m,
+        shapes_in_base=robot.shapes_frame == "base",
     )

@@ -14,6 +14,7 @@ after = 0.4
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import Annotated, Any
 
 from rapidsim.controller.cell.description import (
     FIRST_ROBOT,
@@ -23,12 +24,42 @@ from rapidsim.controller.cell.description import (
     SignalKind,
     Status,
 )
-from rapidsim.station.declared_tables import read_when
-from rapidsim.station.toml_reader import Reader, Table, is_number
+from rapidsim.json_records.declarations import AboveZero, Level, Needs, OneOf, noun, whole_number
+from rapidsim.station.declared_tables import read_records, values_of
+from rapidsim.station.toml_reader import Reader, Table
+from rapidsim.values import value_class
 
-_KEYS = ("type", "value", "width", "min", "max", "system", "task", "unit")
-_CROSS_KEYS = ("set", "from", "after")
-_KINDS = ", ".join(kind.value for kind in SignalKind)
+_NO_KIND = f"unknown signal type `{{}}`; expected {', '.join(SignalKind)}"
+_OF_GROUP, _OF_ANALOG = ("width",), ("min", "max")
+_LIMIT_KEYS = {
+    SignalKind.GI: _OF_GROUP,
+    SignalKind.GO: _OF_GROUP,
+    SignalKind.AI: _OF_ANALOG,
+    SignalKind.AO: _OF_ANALOG,
+}
+_NO_SYSTEM = Needs("system", 'it needs `system`, as in system = "TaskExecuting"')
+
+
+@value_class(frozen=True, slots=True)
+class SignalEntry:
+    """A signal of the table [signals]."""
+
+    type: Annotated[SignalKind | None, OneOf(_NO_KIND)] = None
+    """Digital, group or analog; input or output. Required without a backup."""
+    value: Level = 0.0
+    """Its initial value."""
+    width: Annotated[AboveZero, whole_number(1, GROUP_WIDTH)] = GROUP_WIDTH
+    """Number of bits of a group."""
+    min: float | None = None
+    """Lowest logical value of an analog signal."""
+    max: float | None = None
+    """Highest logical value of an analog signal."""
+    system: Annotated[Status | None, noun("a known status")] = None
+    """The controller state that a system output shows."""
+    task: Annotated[str | None, _NO_SYSTEM] = None
+    """The task whose state it shows; None for any."""
+    unit: Annotated[str, _NO_SYSTEM] = FIRST_ROBOT
+    """The mechanical unit whose state it shows."""
 
 
 def read_signals(
@@ -66,16 +97,7 @@ def read_crosses(
 
     Connections of a backup are first, except for the signals that the list connects.
     """
-    crosses = []
-    for path, table in reader.tables(tables, "cross"):
-        reader.note_unknown_keys(path, table, _CROSS_KEYS)
-        result = reader.text(table, path, "set")
-        condition = read_when(reader, table, path, "from")
-        if result is None or condition is None:
-            reader.wrong(path, 'both are needed: set = "doLamp", from = "doRun and not diFault"')
-            continue
-        after_s = reader.not_negative(table, path, "after")
-        crosses.append(CrossConnection(result, condition, after_s or 0.0))
+    crosses = read_records(reader, tables, "cross", CrossConnection)
     for number, cross in enumerate(crosses):
         if follows_itself(cross, crosses):
             reader.wrong(f"cross {number + 1}", f"`{cross.result}` depends on itself")
@@ -86,81 +108,55 @@ def read_crosses(
 def _signal(
     reader: Reader, path: str, name: str, table: Table, backup: SignalDeclaration | None
 ) -> SignalDeclaration | None:
-    reader.note_unknown_keys(path, table, _KEYS)
-    text = reader.text(table, path, "type") or ("" if backup is None else backup.kind.value)
-    if text.lower() not in list(SignalKind):
-        reader.wrong(f"{path}.type", f"unknown signal type `{text}`; expected {_KINDS}")
+    text = str(table.get("type") or "").lower()
+    defaults = _entry_of(backup) if backup and text in ("", backup.kind) else {}
+    signal = SignalEntry(**values_of(reader, SignalEntry, table, path, defaults=defaults))
+    if signal.type is None:
+        if "type" not in table:
+            reader.wrong(f"{path}.type", _NO_KIND.format(""))
         return None
-    kind = SignalKind(text.lower())
-    if backup is not None and backup.kind is not kind:
-        backup = None
-    lowest, highest = _limits(reader, path, kind, table, backup)
-    start = table.get("value", 0.0 if backup is None else backup.value)
-    value = float(start) if is_number(start) or isinstance(start, bool) else None
-    if value is None:
-        reader.wrong(f"{path}.value", "a number is needed")
-    elif not (lowest is None or value >= lowest) or not (highest is None or value <= highest):
-        reader.wrong(f"{path}.value", f"{value:g} is outside its limits {lowest} .. {highest}")
-    status = _status(reader, path, table, backup)
-    task = reader.text(table, path, "task") or (backup.task if backup else None)
-    unit = reader.text(table, path, "unit") or (backup.unit if backup else FIRST_ROBOT)
-    if status is None:
-        return SignalDeclaration(name, kind, value or 0.0, lowest, highest)
-    return SignalDeclaration(name, kind, status.at_start, lowest, highest, status, task, unit)
-
-
-def _status(
-    reader: Reader, path: str, table: Table, backup: SignalDeclaration | None
-) -> Status | None:
-    """Read the status that a system output shows; None for other signals."""
-    text = reader.text(table, path, "system")
-    if text is None and backup is not None and backup.status is not None:
-        return backup.status
-    if text is None:
-        for key in ("task", "unit"):
-            if key in table:
-                reader.wrong(f"{path}.{key}", 'it needs `system`, as in system = "TaskExecuting"')
-        return None
-    for status in Status:
-        if status.lower() == text.lower():
-            return status
-    reader.wrong(f"{path}.system", f"`{text}` is not a known status", f"known: {', '.join(Status)}")
-    return None
-
-
-def _limits(
-    reader: Reader,
-    path: str,
-    kind: SignalKind,
-    table: Table,
-    backup: SignalDeclaration | None,
-) -> tuple[float | None, float | None]:
-    """Return the lowest and highest value of a signal; analog ones may have no limits."""
-    allowed: tuple[str, ...] = ()
-    limits: tuple[float | None, float | None] = (0.0, 1.0)
-    known = (None, None) if backup is None else (backup.lowest, backup.highest)
-    if kind in (SignalKind.GI, SignalKind.GO):
-        allowed = ("width",)
-        width = reader.positive(table, path, "width") or float(GROUP_WIDTH)
-        if width != int(width) or width > GROUP_WIDTH:
-            reader.wrong(f"{path}.width", f"a whole number from 1 to {GROUP_WIDTH} is needed")
-            width = float(GROUP_WIDTH)
-        limits = (0.0, 2.0**width - 1.0)
-        if backup is not None and "width" not in table:
-            limits = known
-    elif kind in (SignalKind.AI, SignalKind.AO):
-        allowed = ("min", "max")
-        lowest, highest = (reader.number(table, path, key) for key in ("min", "max"))
-        limits = (
-            known[0] if "min" not in table else lowest,
-            known[1] if "max" not in table else highest,
-        )
-        if limits[0] is not None and limits[1] is not None and limits[0] >= limits[1]:
-            reader.wrong(f"{path}.min", f"{limits[0]:g} is not below max, {limits[1]:g}")
     for key in ("width", "min", "max"):
-        if key in table and key not in allowed:
-            reader.wrong(f"{path}.{key}", f"a {kind.value} has no such key")
-    return limits
+        if key in table and key not in _LIMIT_KEYS.get(signal.type, ()):
+            reader.wrong(f"{path}.{key}", f"a {signal.type.value} has no such key")
+    lowest, highest = _limits(reader, path, signal)
+    value = signal.value
+    if not (lowest is None or value >= lowest) or not (highest is None or value <= highest):
+        reader.wrong(f"{path}.value", f"{value:g} is outside its limits {lowest} .. {highest}")
+    status = signal.system
+    if status is None:
+        return SignalDeclaration(name, signal.type, value, lowest, highest)
+    start = status.at_start
+    return SignalDeclaration(
+        name, signal.type, start, lowest, highest, status, signal.task, signal.unit
+    )
+
+
+def _entry_of(signal: SignalDeclaration) -> dict[str, Any]:
+    """Return the fields of the entry of a signal."""
+    fields = {
+        "type": signal.kind,
+        "value": signal.value,
+        "width": signal.width,
+        "min": signal.lowest,
+        "max": signal.highest,
+        "system": signal.status,
+        "task": signal.task,
+        "unit": signal.unit,
+    }
+    return {name: value for name, value in fields.items() if value is not None}
+
+
+def _limits(reader: Reader, path: str, signal: SignalEntry) -> tuple[float | None, float | None]:
+    """Return the lowest and highest value of a signal; analog ones may have no limits."""
+    keys = None if signal.type is None else _LIMIT_KEYS.get(signal.type)
+    if keys == _OF_GROUP:
+        return 0.0, 2.0**signal.width - 1.0
+    if keys != _OF_ANALOG:
+        return 0.0, 1.0
+    lowest, highest = signal.min, signal.max
+    if lowest is not None and highest is not None and lowest >= highest:
+        reader.wrong(f"{path}.min", f"{lowest:g} is not below max, {highest:g}")
+    return lowest, highest
 
 
 def follows_itself(cross: CrossConnection, crosses: Sequence[CrossConnection]) -> bool:

@@ -19,16 +19,17 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
+from typing import Annotated, Any
 
 from rapidsim.controller.cell.message_queues import QueueSettings
 from rapidsim.files import did_you_mean
-from rapidsim.station.declared_tables import values_of
+from rapidsim.json_records.declarations import noun
+from rapidsim.station.declared_tables import ReadBy, values_of
 from rapidsim.station.task_kind import TaskKind
 from rapidsim.station.toml_reader import Reader, Table
 from rapidsim.values import value_class
 
 DEFAULT_TASK = "T_ROB1"
-_KEYS = ("name", "modules", "type", "motion", "robot", "entry", "check_references", "rmq")
 
 
 @value_class(frozen=True, slots=True)
@@ -55,6 +56,33 @@ class StationTask:
     """Whether it is loaded with unresolved references."""
     is_system: bool = False
     """Whether it is a task of the controller itself, such as of its safety board: no run has it."""
+
+
+def _queue(reader: Reader, table: Table, path: str, key: str) -> Mapping[str, Any]:
+    path = f"{path}.{key}"
+    return values_of(reader, QueueSettings, reader.table(table, key, path), path)
+
+
+@value_class(frozen=True, slots=True)
+class TaskTable:
+    """A table [[task]]."""
+
+    name: str = DEFAULT_TASK
+    """Its name."""
+    modules: tuple[str, ...] = ()
+    """Modules, program files or folders; the first task also has those of the command line."""
+    type: Annotated[TaskKind, noun("a type")] = TaskKind.NORMAL
+    """Whether a run waits for its end; others run in the background and repeat main."""
+    motion: bool | None = None
+    """Whether it moves a robot; None for a normal task if a robot remains."""
+    robot: str | None = None
+    """The `name` of a [[robot]]; None for the next robot that no task has."""
+    entry: str | None = None
+    """The procedure it begins with; None for `main`."""
+    check_references: bool | None = None
+    """Whether unresolved references are errors, as without `-BindRef 0`; None for true."""
+    rmq: Annotated[Mapping[str, Any] | None, ReadBy(_queue)] = None
+    """Its message queue, by the fields of `QueueSettings`; None if it is not described."""
 
 
 _NO_TASK = StationTask()
@@ -90,56 +118,31 @@ def read_tasks(
 
 
 def _read_task(
-    reader: Reader, path: str, task: Table, backup: Mapping[str, StationTask]
+    reader: Reader, path: str, table: Table, backup: Mapping[str, StationTask]
 ) -> StationTask:
-    reader.note_unknown_keys(path, task, _KEYS)
-    name = reader.text(task, path, "name") or DEFAULT_TASK
-    known = backup.get(name.lower(), _NO_TASK)
-    modules = reader.texts(task, path, "modules")
-    motion = task.get("motion")
-    if motion is not None and not isinstance(motion, bool):
-        reader.wrong(f"{path}.motion", "true or false is needed")
-        motion = None
-    robot = reader.text(task, path, "robot")
-    if robot is not None and motion is False:
+    task = TaskTable(**values_of(reader, TaskTable, table, path))
+    if task.robot is not None and task.motion is False:
         reader.wrong(f"{path}.robot", "a task with `motion = false` has no robot")
-    files = tuple(reader.file.parent / one for one in modules)
-    kind = _kind(reader, path, task) if "type" in task else known.kind
-    checks = task.get("check_references", not known.refers_late)
-    if not isinstance(checks, bool):
-        reader.wrong(f"{path}.check_references", "true or false is needed")
+    known = backup.get(task.name.lower(), _NO_TASK)
+    motion = True if task.robot and task.motion is None else task.motion
+    files = tuple(reader.file.parent / one for one in task.modules)
+    queue = known.queue
+    if task.rmq is not None:
+        queue = replace(queue or QueueSettings(), **task.rmq)
     return replace(
         known,
-        name=name,
-        modules=files if "modules" in task else known.modules,
-        kind=kind,
-        motion=motion if motion is not None else True if robot else known.motion,
-        robot=robot,
-        robot_number=None if robot or motion is False else known.robot_number,
-        entry=reader.text(task, path, "entry") or known.entry,
-        queue=_queue(reader, path, task, known.queue),
-        refers_late=checks is False,
+        name=task.name,
+        modules=files if "modules" in table else known.modules,
+        kind=task.type if "type" in table else known.kind,
+        motion=known.motion if motion is None else motion,
+        robot=task.robot,
+        robot_number=None if task.robot or motion is False else known.robot_number,
+        entry=task.entry or known.entry,
+        queue=queue,
+        refers_late=known.refers_late
+        if task.check_references is None
+        else not task.check_references,
     )
-
-
-def _queue(
-    reader: Reader, path: str, task: Table, default: QueueSettings | None
-) -> QueueSettings | None:
-    """Read the message queue, completed from that of a backup; None without either."""
-    if "rmq" not in task:
-        return default
-    path = f"{path}.rmq"
-    found = values_of(reader, QueueSettings, reader.table(task, "rmq", path), path)
-    return replace(default or QueueSettings(), **found)
-
-
-def _kind(reader: Reader, path: str, task: Table) -> TaskKind:
-    text = (reader.text(task, path, "type") or TaskKind.NORMAL.value).lower()
-    names = [kind.value for kind in TaskKind]
-    if text not in names:
-        reader.wrong(f"{path}.type", f"`{text}` is not a type", f"known: {', '.join(names)}")
-        return TaskKind.NORMAL
-    return TaskKind(text)
 
 
 def _with_robots(

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-import math
 import re
 import textwrap
 from collections.abc import Iterator, Sequence
@@ -28,7 +27,6 @@ _OBJECTS = (
     "pose = { position = [900, 0, -20] }",
 )
 _BARE = re.compile(r"[A-Za-z0-9_-]+")
-_GROUPS = (SignalKind.GI, SignalKind.GO)
 _ANALOG = (SignalKind.AI, SignalKind.AO)
 
 
@@ -192,9 +190,8 @@ def _signal(signal: SignalDeclaration) -> str:
         parts += [] if signal.unit == FIRST_ROBOT else [f"unit = {json.dumps(signal.unit)}"]
     elif signal.value:
         parts.append(f"value = {signal.value:.10g}")
-    if signal.kind in _GROUPS and signal.highest is not None:
-        width = round(math.log2(signal.highest + 1.0))
-        parts += [f"width = {width}"] if width != GROUP_WIDTH else []
+    if signal.width not in (None, GROUP_WIDTH):
+        parts.append(f"width = {signal.width}")
     if signal.kind in _ANALOG:
         limits = (("min", signal.lowest), ("max", signal.highest))
         parts += [f"{key} = {limit:.10g}" for key, limit in limits if limit is not None]

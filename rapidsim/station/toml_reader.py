@@ -13,8 +13,6 @@ from rapidsim.files import InputError, did_you_mean, input_text, require_inside
 from rapidsim.values import value_class
 
 Table = Mapping[str, object]
-UNITS_M = {"mm": 1e-3, "cm": 1e-2, "m": 1.0, "inch": 0.0254}
-"""Units of length [m] of drawings."""
 
 
 @value_class(frozen=True, slots=True)
@@ -59,12 +57,6 @@ class Reader:
                 help = did_you_mean(key, keys) or f"known here: {', '.join(keys)}"
                 self.wrong(f"{path}.{key}" if path else key, "no such key", help)
 
-    def require(self, path: str, table: Table, keys: Iterable[str]) -> None:
-        """Record the keys that a table lacks as errors."""
-        for key in keys:
-            if key not in table:
-                self.wrong(f"{path}.{key}", "is missing")
-
     def table(self, values: Table, key: str, path: str | None = None) -> Table:
         """Return a table; empty if it is missing."""
         table = values.get(key, {})
@@ -98,12 +90,12 @@ class Reader:
             return ()
         return tuple(value)
 
-    def flag(self, values: Table, path: str, key: str) -> bool:
-        """Return a flag; False if it is missing."""
-        value = values.get(key, False)
-        if not isinstance(value, bool):
+    def flag(self, values: Table, path: str, key: str) -> bool | None:
+        """Return a flag; None if it is missing."""
+        value = values.get(key)
+        if value is not None and not isinstance(value, bool):
             self.wrong(f"{path}.{key}", "true or false is needed")
-            return False
+            return None
         return value
 
     def number(self, values: Table, path: str, key: str) -> float | None:
@@ -115,6 +107,11 @@ class Reader:
             self.wrong(f"{path}.{key}", "a number is needed")
             return None
         return float(value)
+
+    def level(self, values: Table, path: str, key: str) -> float | None:
+        """Return the value of a signal, a number or a flag; None if it is missing."""
+        value = values.get(key)
+        return float(value) if isinstance(value, bool) else self.number(values, path, key)
 
     def not_negative(self, values: Table, path: str, key: str) -> float | None:
         """Return a non-negative number; None if it is missing."""

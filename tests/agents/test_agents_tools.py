@@ -4,9 +4,12 @@ from __future__ import annotations
 
 import asyncio
 import json
+import os
 import random
 import sys
+import tempfile
 from collections.abc import Callable
+from pathlib import Path
 from typing import Any
 
 import pytest
@@ -15,6 +18,7 @@ from laws import some
 from rapidsim.agents.knowledge_tools import explain, reach, search_library, signature
 from rapidsim.agents.paging import LARGEST, paged
 from rapidsim.agents.program_tools import check, diff, fix, run
+from rapidsim.agents.worker import Worker
 from rapidsim.files import InputError
 
 GOOD = """MODULE Work
@@ -184,6 +188,46 @@ def test_two_versions_are_compared() -> None:
     assert not answer["same"]
     assert any("0.5 -> 0.7" in str(one) for one in answer["changes"])
     assert diff({"Main.mod": GOOD}, {"Main.mod": GOOD}, robot="irb1600")["same"]
+
+
+@pytest.mark.process
+@pytest.mark.skipif(sys.platform != "linux", reason="only Linux limits the memory of a process")
+def test_a_program_that_needs_too_much_memory_is_an_error_and_the_next_one_runs() -> None:
+    large = """MODULE Large
+  VAR num values{3000,4900};
+  PROC main()
+    values{1,1}:=1;
+  ENDPROC
+ENDMODULE
+"""
+    worker = Worker(most_bytes=260_000_000)
+    try:
+        with pytest.raises(InputError) as error:
+            worker.call(run, {"Large.mod": large}, robot="irb120")
+        assert "needs more than 0.26 GB of memory" in error.value.message
+        assert worker.call(run, {"Main.mod": GOOD}, robot="irb1600")["end"] == "ended"
+    finally:
+        worker.close()
+
+
+@pytest.mark.process
+def test_a_process_that_is_killed_leaves_no_files_and_is_replaced() -> None:
+    worker = Worker()
+    try:
+        with pytest.raises(InputError, match="or its process was killed"):
+            worker.call(leave_a_folder_and_exit)
+        with pytest.raises(InputError) as error:
+            worker.call(explain, "undefined-nam")
+        assert error.value.help == "did you mean `undefined-name`?"
+        assert error.value.similar == ("undefined-name",)
+        assert not list(Path(tempfile.gettempdir()).glob(f"rapidsim-agents-*/left-{os.getpid()}-*"))
+    finally:
+        worker.close()
+
+
+def leave_a_folder_and_exit() -> None:
+    tempfile.mkdtemp(prefix=f"left-{os.getppid()}-")
+    os._exit(1)
 
 
 @pytest.mark.process

@@ -137,6 +137,17 @@ def test_an_arm_in_millimetres_runs_and_is_checked_when_it_is_scaled(in_millimet
         ('[[stimulus]]\nwhen = "a = b"\nset = { c = 1 }', "`a = b` is not a valid condition", None),
         ('[[cross]]\nset = "a"\nfrom = "b and a"', "`a` depends on itself", None),
         ('[check]\nfail-on = "never"', "`never` is not a severity", None),
+        ("[[socket]]\naccept = 5000\nafter = 1", "socket.after: only for peers that", None),
+        (
+            "[robot]\nmodel = 'irb120'\nshapes-frame = 'base'",
+            "robot.shapes-frame: describes `shapes`, which are missing",
+            None,
+        ),
+        (
+            f"[[camera]]\nname = 'cam1'\nparameters = {{ A = 1{'0' * 400} }}",
+            "camera.parameters.A: a number, a text, true or false is needed",
+            None,
+        ),
     ],
 )
 def test_what_it_cannot_say_is_refused(
@@ -147,6 +158,29 @@ def test_what_it_cannot_say_is_refused(
     assert part in raised.value.message
     assert "rapidsim.toml" in raised.value.message
     assert help is None or help in (raised.value.help or "")
+
+
+def test_all_mistakes_of_tables_are_reported_once(tmp_path: Path) -> None:
+    text = """controller = 3
+[[stimulus]]
+every = 1
+pulse = 2
+after = 1
+[[object]]
+name = "post"
+cylinder = {}
+"""
+    with pytest.raises(InputError) as raised:
+        read_station(station_file(tmp_path, text))
+    mistakes = [line.partition("rapidsim.toml: ")[2] for line in raised.value.message.split("\n")]
+    assert mistakes == [
+        "stimulus.after: it needs `when`; with the clock, use `at`",
+        "stimulus.set: name signals and their values, as in { diReady = 1 }",
+        "stimulus.pulse: 2 s is not shorter than every, 1 s",
+        "controller: a table is needed, as in [controller]",
+        "object.cylinder.diameter: is missing",
+        "object.cylinder.length: is missing",
+    ]
 
 
 @pytest.mark.parametrize(

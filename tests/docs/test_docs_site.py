@@ -1,5 +1,6 @@
 """The site is built without a warning, has a place for every page, and generated pages are new."""
 
+import re
 import runpy
 import shutil
 import subprocess
@@ -11,8 +12,15 @@ from typing import Any
 
 import pytest
 
+from rapidsim.station.object_tables import SHAPES
+from rapidsim.station.read import TABLES
+
 ROOT = Path(__file__).parents[2]
-GENERATED = {"api.md": "build_api_page.py", "commands.md": "build_commands_page.py"}
+GENERATED = {
+    "api.md": "build_api_page.py",
+    "commands.md": "build_commands_page.py",
+    "station_keys.md": "build_station_page.py",
+}
 
 
 def pages(entries: list[dict[str, Any]]) -> Iterator[str]:
@@ -49,3 +57,21 @@ def test_a_generated_page_is_what_the_source_says_now(page: str) -> None:
     script = runpy.run_path(str(ROOT / "scripts" / GENERATED[page]))
     written = (ROOT / "docs" / page).read_text(encoding="utf-8")
     assert written == script["page"](), f"python scripts/{GENERATED[page]}"
+
+
+def test_the_page_of_keys_has_every_table_of_the_station_file() -> None:
+    script = runpy.run_path(str(ROOT / "scripts" / GENERATED["station_keys.md"]))
+    assert [*script["TABLES"]] == [*TABLES]
+
+
+def test_every_key_of_the_station_file_has_a_meaning() -> None:
+    page = (ROOT / "docs" / "station_keys.md").read_text(encoding="utf-8")
+    targets = page[page.index("### Camera target") : page.index("### Sphere")]
+    empty = [line for line in page.replace(targets, "").splitlines() if line.endswith("|  |")]
+    assert not empty
+
+
+def test_the_page_of_collisions_has_every_shape() -> None:
+    page = (ROOT / "docs" / "collisions.md").read_text(encoding="utf-8")
+    shown = re.findall(r"^\| `(\w+) = ", page, re.MULTILINE)
+    assert sorted(shown) == sorted(SHAPES)

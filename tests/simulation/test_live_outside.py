@@ -117,7 +117,7 @@ def test_a_signal_takes_no_value_beyond_its_kind_and_limits(name: str, value: fl
 
 def test_the_station_drives_inputs_while_nothing_executes() -> None:
     when = read_condition("diGo = 1")
-    stimuli = (Stimulus({"diPart": 1.0}, when=when, after_s=0.5, pulse_s=1.0),)
+    stimuli = (Stimulus(values={"diPart": 1.0}, when=when, after_s=0.5, pulse_s=1.0),)
     live = Live(module(""), io=CellIo(signals=SIGNALS, stimuli=stimuli))
     signals.write(live.controller, "diGo", 1.0)
     seen = []

@@ -92,7 +92,7 @@ def test_a_search_finds_the_place_that_is_seen() -> None:
         'TPWrite ""\\Num:=hit.trans.y;',
     )
     hit_s = 1.2
-    io = CellIo(stimuli=(Stimulus({"diHit": 1.0}, at_s=hit_s),))
+    io = CellIo(stimuli=(Stimulus(values={"diHit": 1.0}, at_s=hit_s),))
     _, axes = both(text, io=io)
     seen_m = axes.run.only.sample(hit_s).base_from_tcp.translation[0, 1]
     assert float(axes.texts[0]) == pytest.approx(1e3 * seen_m, abs=1e-3)

@@ -80,6 +80,15 @@ def station(folder: Path, configuration: Mapping[str, str]) -> Station:
     return backup_station(backup)
 
 
+@pytest.mark.parametrize("size", ["5000", "-5000", "0", "1e400", "nan"])
+def test_a_size_that_no_group_has_is_that_of_a_group_without_size(
+    size: str, tmp_path: Path
+) -> None:
+    eio = EIO.replace("-Size 4", f"-Size {size}")
+    signals = {one.name: one for one in station(tmp_path, {"SYSPAR/EIO.cfg": eio}).io.signals}
+    assert (signals["giSized"].width, signals["giFree"].width) == (32, 32)
+
+
 def test_signals_are_those_of_the_configuration(tmp_path: Path) -> None:
     io = station(tmp_path, {"SYSPAR/EIO.cfg": EIO}).io
     assert io.signals == (

@@ -15,12 +15,15 @@ from rapidsim.frames.transform import Transform
 from rapidsim.json_records.declarations import record_fields
 from rapidsim.language.robotware import RobotWare
 from rapidsim.module_files import backup_among
-from rapidsim.station import controller, robot, signals, tasks
 from rapidsim.station.backup.backup import backup_station
+from rapidsim.station.controller import ControllerTable
 from rapidsim.station.external_axes import AxisTable
 from rapidsim.station.read import read_station
+from rapidsim.station.robot import RobotTable
+from rapidsim.station.signals import SignalEntry
 from rapidsim.station.station import Station
 from rapidsim.station.task_kind import TaskKind
+from rapidsim.station.tasks import TaskTable
 
 MOVE = "MoveJ [[500,0,600],[0,0,1,0],[0,0,0,0],[9E9,0,9E9,9E9,9E9,9E9]],v100,fine,tool0;"
 BACKUP = {
@@ -212,12 +215,15 @@ def test_the_backup_says_something_of_every_part(tmp_path: Path) -> None:
 
 
 def test_every_key_is_tried() -> None:
-    assert set(SAID["robot"]) == set(robot._KEYS)
-    assert set(SAID["external_axis"]) == {one.key for one in record_fields(AxisTable)}
-    assert {*SAID["task"], "rmq"} == set(tasks._KEYS)
-    assert set(SAID["rmq"]) == {one.key for one in record_fields(QueueSettings)}
-    assert set(SIGNALS) == set(signals._KEYS)
-    assert {"robotware", "stubs"} <= set(controller._KEYS)
+    def keys(kind: type) -> set[str]:
+        return {one.key for one in record_fields(kind)}
+
+    assert {*SAID["robot"], "name"} == keys(RobotTable)
+    assert set(SAID["external_axis"]) == keys(AxisTable)
+    assert {*SAID["task"], "rmq"} == keys(TaskTable)
+    assert set(SAID["rmq"]) == keys(QueueSettings)
+    assert set(SIGNALS) == keys(SignalEntry)
+    assert {"robotware", "stubs"} <= keys(ControllerTable)
 
 
 @pytest.mark.parametrize("key", SAID["robot"])

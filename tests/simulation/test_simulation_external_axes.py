@@ -289,7 +289,10 @@ def searched(search: str, data: str = "  VAR jointtarget j;\n") -> Ran:
     """Search along the track with an input that comes after 2 s and goes after 3 s."""
     data += "  CONST jointtarget far:=[[0,0,0,0,30,0],[1000,9E9,9E9,9E9,9E9,9E9]];\n"
     io = CellIo(
-        stimuli=(Stimulus({"diHit": 1.0}, at_s=2.0), Stimulus({"diHit": 0.0}, at_s=3.0)),
+        stimuli=(
+            Stimulus(values={"diHit": 1.0}, at_s=2.0),
+            Stimulus(values={"diHit": 0.0}, at_s=3.0),
+        ),
     )
     text = program(
         search,

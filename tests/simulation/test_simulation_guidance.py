@@ -327,7 +327,7 @@ def test_outputs_guide_joints() -> None:
 
 def test_inputs_guide_poses() -> None:
     # The TCP goes to x = 700 mm in the world; what has no signal stays.
-    stimulus = Stimulus({"aiX": 700.0}, at_s=0.0)
+    stimulus = Stimulus(values={"aiX": 700.0}, at_s=0.0)
     body = r"""    VAR robtarget before;
     VAR robtarget after;
     VAR pose none := [[0,0,0],[1,0,0,0]];

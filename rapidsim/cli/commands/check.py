@@ -25,6 +25,7 @@ from rapidsim.cli.tools.check_output import FORMATS, SPOKEN_FORMATS, checked_tex
 from rapidsim.cli.tools.checked_jobs import checked_jobs
 from rapidsim.cli.tools.differences import difference
 from rapidsim.cli.tools.known_findings import (
+    BaselineGroup,
     NewFindings,
     compare_with_baseline,
     group_by_settings,
@@ -270,16 +271,20 @@ def _outcome(
             pairs = zip(jobs, results, strict=True)
             fixed = [_apply_fixes(*pair, unsafe=options.unsafe_fixes) for pair in pairs]
     groups = group_by_settings(jobs, [one.result for one in fixed], baselines)
-    if options.diff and options.output_format != "json":
-        judged = [NewFindings(group.result) for group in groups]
-    else:
-        # A setting alone writes nothing: the repository that holds it is not trusted.
-        creates, updates = options.baseline is not None, options.update_baseline
-        judged = [compare_with_baseline(group, update=updates, create=creates) for group in groups]
+    judged = _compared(groups, options)
     arms = (result.arm or job.robot for job, result in zip(jobs, results, strict=True))
     names = ", ".join(dict.fromkeys(arm.text for arm in arms))
     result = merge_results([group.result for group in judged])
     return _Outcome(programs, jobs, names, fixed, judged, result, differences)
+
+
+def _compared(groups: Sequence[BaselineGroup], options: CheckOptions) -> list[NewFindings]:
+    """Return the results without the findings of their baselines."""
+    if options.diff and options.output_format != "json":
+        return [NewFindings(group.result) for group in groups]
+    # A setting alone writes nothing: the repository that holds it is not trusted.
+    creates, updates = options.baseline is not None, options.update_baseline
+    return [compare_with_baseline(group, update=updates, create=creates) for group in groups]
 
 
 def _print_findings(

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable, Iterator
+
 import click
 
 from rapidsim.cli.exit_codes import ExitCode
-from rapidsim.cli.terminal import current_terminal, echo, terminal_options
+from rapidsim.cli.terminal import Terminal, current_terminal, echo, terminal_options
 from rapidsim.diagnostics import Rule, all_rules
 from rapidsim.files import InputError, did_you_mean
 from rapidsim.jobs.inputs.selectors import unknown_rule
@@ -27,39 +29,43 @@ def explain(code: str | None, everything: bool) -> int:
     `50050`, or an error name, such as `ERR_DIVZERO`, explains the event and the matching rules.
     """
     terminal = current_terminal()
-    palette = terminal.palette
     if everything:
-        echo(rule_list(all_rules(), palette), palette=palette)
-        return ExitCode.CLEAN
-    if code is None:
+        text = rule_list(all_rules(), terminal.palette)
+    elif code is None:
         raise click.UsageError("name a rule, or list them with --all", click.get_current_context())
+    else:
+        text = _explanation(code, terminal)
+    echo(text, palette=terminal.palette)
+    return ExitCode.CLEAN
+
+
+def _explanation(code: str, terminal: Terminal) -> str:
+    """Return the text about a code, a number or a name.
+
+    Raises:
+        InputError: If nothing has it.
+    """
+    palette = terminal.palette
     name = error_name(code)
     number = int(code) if code.isdecimal() else None if name is None else event_of_name(name)
     if number is not None:
-        meant = [rule for rule in all_rules() if f"ABB {number}" in rule.events.values()]
-        if not meant and number not in EVENT_TITLES:
+        rules = [rule for rule in all_rules() if f"ABB {number}" in rule.events.values()]
+        if not rules and number not in EVENT_TITLES:
             raise InputError(f"no rule cites the event {number}", "`--all` lists all rules")
-        echo(event_page(number, meant, palette), palette=palette)
-    elif name is not None:
-        echo(name_page(name, palette), palette=palette)
-        return ExitCode.CLEAN
-    else:
-        meant = [rule for rule in all_rules() if _means(rule, code)]
-    if meant:
-        if number is not None:
-            echo("")
-        pages = (rule_page(rule, palette, width=terminal.width) for rule in meant)
-        echo("\n\n".join(pages), palette=palette)
-        return ExitCode.CLEAN
-    if number is not None:
-        return ExitCode.CLEAN
-    family = [rule for rule in all_rules() if rule.code.startswith(code.upper())]
-    if family:
-        echo(rule_list(family, palette), palette=palette)
-        return ExitCode.CLEAN
+        return "\n\n".join((event_page(number, rules, palette), *_pages(rules, terminal)))
+    if name is not None:
+        return name_page(name, palette)
+    if rules := [rule for rule in all_rules() if _means(rule, code)]:
+        return "\n\n".join(_pages(rules, terminal))
+    if family := [rule for rule in all_rules() if rule.code.startswith(code.upper())]:
+        return rule_list(family, palette)
     if code.upper().startswith("ERR_"):
         raise InputError(f"there is no error name `{code}`", did_you_mean(code, NUMBERS))
     raise unknown_rule(code)
+
+
+def _pages(rules: Iterable[Rule], terminal: Terminal) -> Iterator[str]:
+    return (rule_page(rule, terminal.palette, width=terminal.width) for rule in rules)
 
 
 def _means(rule: Rule, code: str) -> bool:

@@ -18,6 +18,7 @@ class ConveyorScript:
     unit: str
     """Name of its mechanical unit."""
     speed_mm_s: Annotated[AboveZero, Key("speed")]
+    """Its speed, which is constant."""
     first_s: Annotated[NotNegative, Key("at")] = 0.0
     """Time [s] at which the first object passes the synchronisation switch."""
     every_s: Annotated[AboveZero | None, Key("every")] = None

@@ -5,15 +5,26 @@ All of it is plain data, read from a station file or from the file of `--io`.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 from dataclasses import replace
 from enum import StrEnum
+from typing import Annotated, Literal
 
 from rapidsim.controller.cell.camera_scripts import CameraScript
 from rapidsim.controller.cell.conditions import Condition
 from rapidsim.controller.cell.conveyors import ConveyorScript
 from rapidsim.controller.cell.part_poses import PartPose
 from rapidsim.controller.cell.socket_scripts import SocketScript
+from rapidsim.json_records.declarations import (
+    AboveZero,
+    Key,
+    Needs,
+    NotNegative,
+    OneOf,
+    Required,
+    Valid,
+)
 from rapidsim.values import value_class
 
 
@@ -54,6 +65,7 @@ def _is_bit(word: str) -> bool:
 
 
 FIRST_ROBOT = "ROB_1"
+_LEAST_PERIOD_S = 0.001
 
 
 class Status(StrEnum):
@@ -106,59 +118,97 @@ class SignalDeclaration:
     unit: str = FIRST_ROBOT
     """The mechanical unit whose state it shows."""
 
+    @property
+    def width(self) -> int | None:
+        """Number of bits of a group; None for other signals."""
+        if self.kind not in (SignalKind.GI, SignalKind.GO) or self.highest is None:
+            return None
+        return round(math.log2(self.highest + 1.0))
 
-@value_class(frozen=True, slots=True)
+
+def _is_period(every_s: float) -> bool:
+    return every_s >= _LEAST_PERIOD_S
+
+
+@value_class(frozen=True, slots=True, kw_only=True)
 class Stimulus:
     """An external change of inputs: at a time, or after a condition became true."""
 
-    values: Mapping[str, float]
-    """New values of the signals."""
-    at_s: float | None = None
+    at_s: Annotated[NotNegative | None, Key("at")] = None
     """Virtual time of the first change."""
-    every_s: float | None = None
+    every_s: Annotated[
+        AboveZero | None,
+        Key("every"),
+        Valid(_is_period, f"at least {_LEAST_PERIOD_S:g} s is needed"),
+    ] = None
     """Time from one change to the next; None if it happens once."""
     when: Condition | None = None
-    after_s: float = 0.0
+    """In place of a time: the condition that causes the change each time that it becomes true."""
+    after_s: Annotated[
+        NotNegative, Key("after"), Needs("when", "it needs `when`; with the clock, use `at`")
+    ] = 0.0
     """Delay from the condition becoming true to the change."""
-    pulse_s: float | None = None
+    values: Annotated[
+        Mapping[str, float],
+        Key("set"),
+        Required("name signals and their values, as in { diReady = 1 }"),
+    ]
+    """New values of the signals."""
+    pulse_s: Annotated[AboveZero | None, Key("pulse")] = None
     """After this time the signals return to their previous values."""
 
 
-@value_class(frozen=True, slots=True)
+@value_class(frozen=True, slots=True, kw_only=True)
 class Gripper:
     """A gripper of a program: the signals that close it and those that confirm that."""
 
-    name: str
-    close: Condition
+    name: str = "the gripper"
+    """Its name in findings."""
+    close: Annotated[
+        Condition, Required('say what closes it, as in close = "doGrip = 1"', of_table=True)
+    ]
     """While it holds, the gripper closes or is closed; otherwise it opens or is open."""
     closed: Condition | None = None
     """The feedback; None if the gripper has none."""
-    acts_at_rest: bool = True
-    """Whether the arm must be at rest when it closes or opens."""
-    load_kg: float = 0.0
+    at: Annotated[
+        Literal["stand", "anywhere"], OneOf('"stand" or "anywhere" is needed', folds_case=False)
+    ] = "stand"
+    """Place of its action: where the arm is at rest, or anywhere."""
+    load_kg: Annotated[NotNegative, Key("load")] = 0.0
     """Mass of the held object; 0 if not specified."""
     task: str | None = None
     """The task whose robot carries it; None for that of the first robot."""
+
+
+_CROSS = Required('both are needed: set = "doLamp", from = "doRun and not diFault"', of_table=True)
 
 
 @value_class(frozen=True, slots=True)
 class CrossConnection:
     """A signal that the I/O system or a device derives from others, without the program."""
 
-    result: str
-    condition: Condition
-    after_s: float = 0.0
+    result: Annotated[str, Key("set"), _CROSS]
+    """The signal."""
+    condition: Annotated[Condition, Key("from"), _CROSS]
+    """While it holds, the signal is 1, otherwise 0."""
+    after_s: Annotated[NotNegative, Key("after")] = 0.0
     """The delay, each time."""
 
 
-@value_class(frozen=True, slots=True)
+@value_class(frozen=True, slots=True, kw_only=True)
 class DescribedFingers:
     """A servo gripper as the station describes it."""
 
-    object_mm: float
-    """Position at which closing fingers meet an object."""
     task: str | None = None
     """The task of its robot; None for all."""
+    object_mm: Annotated[
+        NotNegative,
+        Key("object"),
+        Required(
+            "say where closing fingers meet the object, as in object = 12 [mm]", of_table=True
+        ),
+    ]
+    """Position at which closing fingers meet an object."""
 
     def is_of(self, task: str) -> bool:
         """Whether it is the gripper of a task."""

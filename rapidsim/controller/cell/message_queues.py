@@ -14,7 +14,7 @@ from dataclasses import field
 from enum import StrEnum
 from typing import Annotated
 
-from rapidsim.json_records.declarations import Key, Noun, whole_number
+from rapidsim.json_records.declarations import Key, noun, whole_number
 from rapidsim.language.error_numbers import (
     ERR_RMQ_FULL,
     ERR_RMQ_INVALID,
@@ -49,11 +49,14 @@ class QueueMode(StrEnum):
 class QueueSettings:
     """Settings of a task's queue as in the system parameters: `rmq` of a table [[task]]."""
 
-    type: Annotated[QueueType, Noun("a type")] = QueueType.REMOTE
-    mode: Annotated[QueueMode | None, Noun("a mode")] = None
+    type: Annotated[QueueType, noun("a type")] = QueueType.REMOTE
+    """Senders that it accepts."""
+    mode: Annotated[QueueMode | None, noun("a mode")] = None
     """None if not configured: then it follows from the instructions that the program uses."""
     max_bytes: Annotated[int, Key("size"), whole_number(LEAST_BYTES, MOST_BYTES)] = LEAST_BYTES
+    """Largest size of a message [bytes]."""
     max_messages: Annotated[int, Key("messages"), whole_number(1, MOST_MESSAGES)] = 5
+    """Most messages that wait in it."""
 
 
 class DeliveryResult(StrEnum):

@@ -18,7 +18,9 @@ class SocketStep:
     expect: bytes = b""
     """The step waits until the program has sent this; anything before it is skipped."""
     after_s: Annotated[NotNegative, Key("after")] = 0.0
+    """Time from then, or from the end of the step before, to the action."""
     send: bytes = b""
+    """Data that the program receives."""
     close: bool = False
     """End the connection."""
 

@@ -111,7 +111,7 @@ def _faults(gripper: Gripper, robot: RobotRun, simulation: Simulation) -> Iterat
             for move in robot.moves
             if switch.precedes(move) and move.start_s < until_s and move.end_s > move.start_s
         ]
-        if switch.place is not None and gripper.acts_at_rest:
+        if switch.place is not None and gripper.at == "stand":
             early = [*_in_motion(gripper, robot, switch)]
             may_hold = switch.closes or number > 0
             yield from early or (_too_soon(gripper, robot, switch, moves) if may_hold else ())

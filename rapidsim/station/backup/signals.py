@@ -116,7 +116,7 @@ def _signal(instance: Instance) -> SignalDeclaration | None:
     if kind in (SignalKind.GI, SignalKind.GO):
         bits = instance.get("devicemap") or instance.get("unitmap")
         size = len(mapped_bits(bits)) if bits else _number(instance.get("size"))
-        width = int(size or GROUP_WIDTH)
+        width = int(size) if size and 1 <= size <= GROUP_WIDTH else GROUP_WIDTH
     return SignalDeclaration(name, kind, start, 0.0, 2.0**width - 1.0)
 
 
