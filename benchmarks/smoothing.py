@@ -3,8 +3,8 @@
     python benchmarks/smoothing.py
 
 Prints the tables of `docs/timing.md`: how far the TCP is off a line and off a corner's point on an
-IRB 1600, how much longer a move from stop point to stop point takes with a ramp of AccSet, and how
-much a change of ramps adds to accelerations.
+IRB 1600, also with ramps of AccSet, and how much longer a move from stop point to stop point takes
+with them.
 """
 
 from __future__ import annotations
@@ -29,18 +29,25 @@ ARMS = {"irb1600-6-1.2": (650.0, 900.0), "irb6640-180-2.55": (1500.0, 1500.0)}
 
 
 def main() -> None:
-    """Print three tables."""
+    """Print the tables."""
     small = load_robot("irb1600-6-1.2")
     print(f"{small.title}: mm off\n{'':>24}" + "".join(f"{f'v{v}':>9}" for v in SPEEDS_MM_S))
     line = [_off_a_line(small, v) for v in SPEEDS_MM_S]
     print(f"{'a line':>24}" + "".join(f"{one:9.3f}" for one in line))
     for smoothing in ("axes", "path"):
         for zone in (1, 10):
-            off = [_off_a_point(small, v, zone, smoothing) for v in CORNER_MM_S]
+            off = [_off(small, _around_a_point(small, v, zone, smoothing)) for v in CORNER_MM_S]
             print(
                 f"{f'point, z{zone}, {smoothing}':>24}{'':>9}"
                 + "".join(f"{one:9.2f}" for one in off)
             )
+    print(f"\n{small.title}, v1000: mm off a line, off a point with z10; s of both moves there")
+    for ramp in (100, 50, 20, 10):
+        set_ramp = f"AccSet 100, {ramp};"
+        line_mm = _off_a_line(small, 1000, set_ramp)
+        corner = _around_a_point(small, 1000, 10, "axes", set_ramp)
+        point_mm, corner_s = _off(small, corner), corner.trajectory.duration
+        print(f"{ramp:>6} %{line_mm:10.2f}{point_mm:10.2f}{corner_s:10.2f}")
     for name in ARMS:
         robot = load_robot(name)
         plain = _stop_to_stop(robot, 100)
@@ -76,11 +83,12 @@ def _points(run: RobotRun, move: int) -> np.ndarray:
     return 1e3 * run.trajectory.at(times).base_from_tcp.translation
 
 
-def _off_a_line(robot: Robot, speed: int) -> float:
+def _off_a_line(robot: Robot, speed: int, set_ramp: str = "") -> float:
     run = _run(
         robot,
         [
             "MoveL Offs(p,0,-300,0), v500, fine, tool0;",
+            set_ramp,
             f"MoveL Offs(p,0,300,0), [{speed},500,5000,1000], fine, tool0;",
         ],
     )
@@ -92,16 +100,23 @@ def _off_a_line(robot: Robot, speed: int) -> float:
     return float(off.max())
 
 
-def _off_a_point(robot: Robot, speed: int, zone: int, smoothing: Smoothing) -> float:
-    run = _run(
+def _around_a_point(
+    robot: Robot, speed: int, zone: int, smoothing: Smoothing, set_ramp: str = ""
+) -> RobotRun:
+    return _run(
         robot,
         [
             "MoveL Offs(p,0,-200,0), v500, fine, tool0;",
+            set_ramp,
             f"MoveL p, [{speed},500,5000,1000], z{zone}, tool0;",
             f"MoveL Offs(p,0,0,-200), [{speed},500,5000,1000], fine, tool0;",
         ],
         smoothing,
     )
+
+
+def _off(robot: Robot, run: RobotRun) -> float:
+    """Least distance [mm] of the TCP from the point."""
     x, z = ARMS[robot.name]
     return float(np.linalg.norm(_points(run, 2) - [x, 0.0, z], axis=1).min())
 

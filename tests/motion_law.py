@@ -13,7 +13,7 @@ from rapidsim.motion.geometry.curves import Index
 from rapidsim.motion.model import Smoothing
 from rapidsim.motion.path.path import Path
 from rapidsim.motion.timing.axis_limits import Limits
-from rapidsim.motion.trajectory.command import Piece
+from rapidsim.motion.trajectory.command import MotionCommand, Piece
 from rapidsim.motion.trajectory.trajectory import Samples, Trajectory
 
 STEP = 1e-3
@@ -33,11 +33,19 @@ class Excess:
 
 
 def command_of(trajectory: Trajectory) -> Trajectory:
-    """The same motion before smoothing."""
-    command = Trajectory(trajectory._start, 0.0)
-    for piece in trajectory.pieces:
-        command.append(piece)
-    return command
+    """The same motion before smoothing and ramps."""
+    return _following(trajectory, trajectory._ramped.planned)
+
+
+def ramped_command_of(trajectory: Trajectory) -> Trajectory:
+    """The same motion before smoothing, with its ramps."""
+    return _following(trajectory, trajectory._ramped.command)
+
+
+def _following(trajectory: Trajectory, command: MotionCommand) -> Trajectory:
+    other = Trajectory(trajectory._start, 0.0)
+    other._ramped.planned = other._ramped.command = command
+    return other
 
 
 def with_smoothed(what: Smoothing, trajectory: Trajectory) -> Trajectory:

@@ -33,7 +33,12 @@ from rapidsim.motion.path.joints_on_path import JointsOnPath, in_joint_space, jo
 from rapidsim.motion.path.line_derivatives import Lines
 from rapidsim.motion.path.nominal_times import NominalTimes, nominal_times
 from rapidsim.motion.path.path_derivatives import PathPoints, PathRates, norms
-from rapidsim.motion.path.segment_columns import SegmentLimits, programmed_of, widths_of
+from rapidsim.motion.path.segment_columns import (
+    SegmentLimits,
+    programmed_of,
+    ramp_window,
+    widths_of,
+)
 
 _KINK = 1e-6
 _WHILE_WIDENING = 0.9
@@ -192,6 +197,11 @@ class Path:
     def windows(self) -> tuple[float, ...]:
         """Widths [s] of the smoothing window, ascending: one, or a few while it widens."""
         return widths_of(self.segments, self.model.window)
+
+    @cached_property
+    def ramp_windows(self) -> Array:
+        """Widths (segments,) [s] of the windows over which ramps average the speed; 0 if none."""
+        return np.array([ramp_window(one.ramp, self.model.window) for one in self.segments])
 
     @cached_property
     def zone_radius(self) -> Array:

@@ -62,3 +62,8 @@ def widths_of(segments: Sequence[Segment], filter_time: float) -> tuple[float, .
         return (filter_time / lowest,)
     between = np.linspace(1.0 / highest, 1.0 / lowest, _WIDTHS)
     return tuple((filter_time * between).tolist())
+
+
+def ramp_window(ramp: float, filter_time: float) -> float:
+    """Width [s] of the window over which a ramp (0 to 1) averages the speed along the path."""
+    return filter_time * (1.0 / ramp - 1.0)

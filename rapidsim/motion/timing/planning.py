@@ -14,8 +14,9 @@ from rapidsim.motion.timing.axis_limits import Limits
 from rapidsim.motion.timing.constraints import Limiter, Paces, Quantity
 from rapidsim.motion.timing.discretisation import cells_of
 from rapidsim.motion.timing.problem import Problem, at_pace, problem_of
+from rapidsim.motion.timing.ramped_drive import ramped_drive
 from rapidsim.motion.timing.time_optimal import Division, drive, fastest_drive
-from rapidsim.motion.timing.time_scaling import TimeScaling
+from rapidsim.motion.timing.time_scaling import TimeScaling, with_rests
 
 _TIMED_ROUNDS = 4
 _TIMED_HALVINGS = 16
@@ -64,14 +65,9 @@ def plan(
         paces = _paces(problem, division, start_speed, timed, driven, check_deadline)
         problem = at_pace(problem, paces)
         motion = drive(problem, division, start_speed)
-    nodes, speed = motion.stages.nodes, np.sqrt(motion.x)
-    stops = np.flatnonzero(np.isin(nodes[1:-1], path.stops)) + 1
-    standing = None
-    if len(stops) and path.window:
-        # Long enough for the smoothed motion to come to rest too: it could not follow a kink in
-        # motion.
-        nodes, speed = np.insert(nodes, stops, nodes[stops]), np.insert(speed, stops, 0.0)
-        standing = np.where(np.diff(nodes) == 0.0, path.window, 0.0)
+    if path.ramp_windows.any():
+        motion = ramped_drive(problem, division, start_speed, check_deadline)
+    nodes, speed, standing = with_rests(path, motion.stages.nodes, np.sqrt(motion.x))
     return TimeScaling(
         s=nodes,
         speed=speed,

@@ -92,8 +92,17 @@ def fastest_drive(
     return division, result
 
 
-def drive(problem: Problem, division: Division, start_speed: float) -> StageMotion:
-    """Return the fastest motion over these stages from a start speed [m/s]."""
+def drive(
+    problem: Problem, division: Division, start_speed: float, lower_caps: Array | None = None
+) -> StageMotion:
+    """Return the fastest motion over these stages.
+
+    Args:
+        problem: The limits.
+        division: The stages.
+        start_speed: Path speed [m/s] at its start.
+        lower_caps: Further largest squares of the speed at the nodes of the division, if any.
+    """
     stages = division.stages
     speeds = fastest(stages, problem.cells, problem.slowness)
     if division.needed.any():
@@ -104,7 +113,10 @@ def drive(problem: Problem, division: Division, start_speed: float) -> StageMoti
     if np.isfinite(in_zones).any():
         speeds = np.minimum(speeds, in_zones[problem.cells.piece[stages.cell]][:, None])
     own, speeds = stages.beyond(division.driven), speeds[division.driven :]
-    x, fastest_start = solve(own, _caps(problem, own, speeds), start_speed)
+    caps = _caps(problem, own, speeds)
+    if lower_caps is not None:
+        caps = np.minimum(caps, lower_caps[division.driven :])
+    x, fastest_start = solve(own, caps, start_speed)
     return StageMotion(own, x, fastest_start, speeds[:, 1] ** 2)
 
 

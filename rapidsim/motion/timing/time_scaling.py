@@ -11,6 +11,7 @@ import numpy as np
 
 from rapidsim.frames.transform import Array
 from rapidsim.motion.geometry.curves import Index
+from rapidsim.motion.path.path import Path
 from rapidsim.motion.timing.constraints import Limiter
 
 _COUNTED_S = 1.0
@@ -110,17 +111,26 @@ class TimeScaling:
         integral: Array = self.integrals[k] + cubic
         return integral
 
-    def smoothed(self, window: float) -> tuple[Array, Array]:
-        """Return positions [m] and speeds [m/s], (k,), averaged over a window [s] before each node.
+    def smoothed(self, window: float, times: Array | None = None) -> tuple[Array, Array]:
+        """Return positions [m] and speeds [m/s], (k,), averaged over a window [s] before instants.
 
         Before the first node the motion is assumed to have had the speed that it has there.
+
+        Args:
+            window: Width [s].
+            times: Instants (k,) [s], also after the end; None for those of the nodes.
         """
-        early = self.times - window
-        before = np.minimum(early, 0.0)
-        place = self.s_at(early) + self.speed[0] * before
-        integral = self.parameter_integral(early) + 0.5 * self.speed[0] * before**2
-        mean = self.s[0] + (self.integrals - integral) / window
-        return mean, (self.s - place) / window
+        now, place, integral = self.times, self.s, self.integrals
+        if times is not None:
+            now, place, integral = times, self.s_at(times), self.parameter_integral(times)
+            integral = integral + np.maximum(now - self.duration, 0.0) * (self.s[-1] - self.s[0])
+        early = now - window
+        before, after = np.minimum(early, 0.0), np.maximum(early - self.duration, 0.0)
+        old = self.s_at(early) + self.speed[0] * before
+        sum_before = self.parameter_integral(early) + 0.5 * self.speed[0] * before**2
+        sum_before += after * (self.s[-1] - self.s[0])
+        mean = self.s[0] + (integral - sum_before) / window
+        return mean, (place - old) / window
 
     @cached_property
     def integrals(self) -> Array:
@@ -161,3 +171,16 @@ class TimeScaling:
         time = np.clip(np.asarray(t, dtype=np.float64), 0.0, self.times[-1])
         k = np.clip(np.searchsorted(self.times, time, side="right") - 1, 0, len(self.s) - 2)
         return k, time - self.times[k]
+
+
+def with_rests(path: Path, nodes: Array, speed: Array) -> tuple[Array, Array, Array | None]:
+    """Return nodes and speeds (k,) with a rest at each stop, and the times at rest [s].
+
+    A rest lasts long enough for the smoothed motion to come to rest too: it could not follow a kink
+    in motion. The times (k - 1,) are None if there are no stops.
+    """
+    stops = np.flatnonzero(np.isin(nodes[1:-1], path.stops)) + 1
+    if not len(stops) or not path.window:
+        return nodes, speed, None
+    nodes, speed = np.insert(nodes, stops, nodes[stops]), np.insert(speed, stops, 0.0)
+    return nodes, speed, np.where(np.diff(nodes) == 0.0, path.window, 0.0)

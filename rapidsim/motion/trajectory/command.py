@@ -353,6 +353,18 @@ class MotionCommand:
         before, way = self._table[row, _Column.PLACE], self._table[row, _Column.WAY]
         return row, np.clip(place - before, 0.0, way)
 
+    def bounds_between(self, first: float, last: float) -> list[tuple[int, float, float]]:
+        """Return the numbers of the pieces between positions S [m], with their starts and ends."""
+        rows = self.rows_at(np.array([first, last]))[0]
+        numbers = self._table[rows[0] : rows[1] + 1, _Column.PIECE]
+        found = []
+        for number in np.unique(numbers).astype(np.int64).tolist():
+            own = np.searchsorted(self._table[: self._rows, _Column.PIECE], [number, number + 1])
+            start, end = self._table[[own[0], own[1] - 1]]
+            end_m = float(end[_Column.PLACE] + end[_Column.WAY])
+            found.append((number, float(start[_Column.PLACE]), end_m))
+        return found
+
     def joints_at(self, times: Array) -> Array:
         """Return joints of the arm, then external axes, (k, n + e) at times (k,) [s]."""
         row = self.row_at(times)

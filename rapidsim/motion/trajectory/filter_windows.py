@@ -1,14 +1,13 @@
-"""Width of the smoothing window over time, with its widening by AccSet's ramps.
+"""Windows of moving averages over time, which a ramp of AccSet may widen.
 
-The visible position of the arm is a weighted mean of the command over the window [t - T(t), t]. T
-is the filter time; a ramp of p % makes it 100 / p times as long. Ramps were not measured: this is
-assumption. The weights are uniform for one moving average of width T; for two successive ones of
-width T / 2 they rise linearly to the middle of the window and fall again.
+A moving average of a motion is its weighted mean over the window [t - T(t), t]. The weights are
+uniform for one moving average of width T; for two successive ones of width T / 2 they rise linearly
+to the middle of the window and fall again.
 
-The mean stays on the path of the command and is never faster while 0 <= T' <= 1, so a window only
-widens while the arm moves, smoothly and slowly. It becomes narrow again when it is empty, that is,
-when the arm has been at rest so long that the window contains only rest. From then on it does not
-extend back beyond the new start.
+The mean of positions on a path stays on that path and is never faster while 0 <= T' <= 1, so a
+window only widens while the arm moves, smoothly and slowly. It becomes narrow again when it is
+empty, that is, when the arm has been at rest so long that the window contains only rest. From then
+on it does not extend back beyond the new start.
 """
 
 from __future__ import annotations
@@ -19,8 +18,6 @@ import numpy as np
 
 from rapidsim.frames.transform import Array
 from rapidsim.motion.model import Averages
-from rapidsim.motion.path.path import Path
-from rapidsim.motion.timing.time_scaling import TimeScaling
 from rapidsim.motion.trajectory.zero_crossings import first_crossing
 from rapidsim.values import value_class
 
@@ -30,7 +27,6 @@ _UNHURRIED_S = 1.0
 """Minimum time [s] in which a window widens. Widening slows the arm down slightly, which takes a
 share of the acceleration: a faster change would be noticeable. A shorter last move has less of a
 ramp."""
-_ROUNDING = 1e-9
 
 
 @value_class(frozen=True, slots=True)
@@ -58,7 +54,7 @@ class Windows:
     """Width of the window over the time of a whole run; it can only be extended."""
 
     def __init__(self, filter_time: float, averages: Averages = 1) -> None:
-        """Create windows; `filter_time` [s] is the width of all averages, without ramps."""
+        """Create windows; `filter_time` [s] is the width of all averages until they widen."""
         self.filter_time = filter_time
         self.averages = averages
         self.widest = filter_time
@@ -74,9 +70,14 @@ class Windows:
         return len(self._steps) == 1
 
     @property
-    def has_ramps(self) -> bool:
-        """Whether a ramp makes the window wider than the filter time somewhere."""
+    def widens(self) -> bool:
+        """Whether the window is wider than the filter time somewhere."""
         return any(one.widest_s > self.filter_time for one in self._steps)
+
+    @property
+    def latest_width(self) -> float:
+        """Width [s] at the end of the last widening."""
+        return self._steps[-1].widest_s
 
     def copy(self) -> Windows:
         """Return a copy that can be extended independently."""
@@ -160,71 +161,31 @@ class Windows:
         while self._steps[-1].start_s >= time_s:
             self._steps.pop()
 
-    def follow(
-        self,
-        start_s: float,
-        path: Path,
-        timing: TimeScaling,
-        from_s: float,
-        to_s: float,
-        *,
-        empty: bool,
-        elsewhere: bool = False,
-    ) -> None:
-        """Widen the window as required by the moves of a section of a path.
+    def begin(self, start_s: float, width_s: float, *, elsewhere: bool) -> None:
+        """Restart an empty window with a width, unless it already has it.
 
         Args:
-            start_s: Command time of its start [s].
-            path: Its geometry; the ramps of the moves in a block decrease.
-            timing: Timing of the path.
-            from_s: Start position on the path [m].
-            to_s: End position on the path [m].
-            empty: Whether the visible motion is at rest at its start.
-            elsewhere: Whether its start differs from the end of the previous command; then
-                earlier commands are ignored.
+            start_s: Time [s].
+            width_s: Width [s].
+            elsewhere: Whether the motion continues at another position than that of its last rest;
+                then earlier times are ignored.
         """
-        if self.is_constant and path.window == self.filter_time and not elsewhere:
-            return
-        starts = path.segment_starts
-        first = max(int(np.searchsorted(starts, from_s + _ROUNDING, side="right")) - 1, 0)
-        last = max(int(np.searchsorted(starts, to_s - _ROUNDING, side="left")) - 1, first)
-        if empty:
-            self._begin(start_s, self.filter_time / path.segments[first].ramp, elsewhere=elsewhere)
-        shift_s = start_s - timing.time_at(from_s)
-        for index in range(first, last + 1):
-            segment = path.segments[index]
-            width_s = self.filter_time / segment.ramp
-            stop_width_s = 0.0 if segment.zone else self.filter_time / segment.stop_ramp
-            if max(width_s, stop_width_s) <= self._steps[-1].widest_s:
-                continue
-            begins_s = max(start_s, shift_s + timing.time_at(float(starts[index])))
-            self._widen(begins_s, width_s)
-            end = float(path.segment_bounds[index + 1])
-            if stop_width_s > width_s and timing.s[-1] >= end - _ROUNDING:
-                ends_s = shift_s + timing.time_at(end)
-                begins_s = max(ends_s - self._lasts(stop_width_s), begins_s)
-                # A step that would begin after the end of this section is added with the next one.
-                if begins_s < shift_s + timing.time_at(to_s):
-                    self._widen(begins_s, stop_width_s)
-
-    def _begin(self, start_s: float, width_s: float, *, elsewhere: bool) -> None:
-        """Restart with a width, unless the window already has it."""
         self.cut(start_s)
         last = self._steps[-1]
         if elsewhere or width_s != last.widest_s or last.end_s > start_s:
             self._add(_Step(start_s, start_s, width_s))
 
-    def _lasts(self, width_s: float) -> float:
-        """Return the time [s] in which the window widens to a width."""
+    def widening_s(self, width_s: float) -> float:
+        """Return the time [s] in which the window widens to a width [s]."""
         return max(_UNHURRIED_S, 1.5 * (width_s - self._steps[-1].widest_s) / _STEEPEST)
 
-    def _widen(self, begins_s: float, width_s: float) -> None:
-        """Widen to a width, unless already as wide; one step after the other."""
+    def widen(self, begins_s: float, width_s: float) -> None:
+        """Widen from a time [s] on to a width [s], unless already as wide."""
         last = self._steps[-1]
         growth_s = width_s - last.widest_s
         if growth_s > 0.0:
             start_s = max(begins_s, last.end_s)
-            lasts_s = self._lasts(width_s)
+            lasts_s = self.widening_s(width_s)
             self._add(_Step(start_s, last.floor_s, last.widest_s, growth_s, lasts_s))
 
     def _add(self, step: _Step) -> None:

@@ -31,6 +31,7 @@ from rapidsim.motion.trajectory.command import ROUNDING_M, Index, MotionCommand,
 from rapidsim.motion.trajectory.corrected_section import CorrectedSection
 from rapidsim.motion.trajectory.filter_windows import Windows
 from rapidsim.motion.trajectory.guided_section import GuidedSection
+from rapidsim.motion.trajectory.ramps import RampedCommand
 from rapidsim.motion.trajectory.zero_crossings import first_crossing
 from rapidsim.values import value_class
 
@@ -107,14 +108,14 @@ class Trajectory:
 
         Args:
             start: Initial position of the arm.
-            filter_time: Width [s] of the smoothing without ramps; 0 switches it off.
+            filter_time: Width [s] of the smoothing; 0 switches it off.
             smoothing: Smoothed quantity; see `MotionModel`.
             averages: Number of moving averages; see `MotionModel`.
         """
         self._start = start
         self._smoothing = smoothing
         self._windows = Windows(filter_time, averages)
-        self._command = MotionCommand()
+        self._ramped = RampedCommand()
         self._guided: list[_Guided] = []
         self._corrected: list[CorrectedSection] = []
 
@@ -140,8 +141,13 @@ class Trajectory:
 
     @property
     def pieces(self) -> tuple[Piece, ...]:
-        """Pieces in order of time."""
-        return self._command.pieces
+        """Pieces as planned, without ramps, in order of time."""
+        return self._ramped.planned.pieces
+
+    @property
+    def _command(self) -> MotionCommand:
+        """The command that is smoothed."""
+        return self._ramped.command
 
     def append(self, piece: Piece) -> float:
         """Add a piece after the last one.
@@ -153,27 +159,20 @@ class Trajectory:
         Raises:
             ValueError: If the piece starts before the last one ends, or ends before it starts.
         """
-        empty, elsewhere = piece.start_time >= self.duration - _ROUNDING_S, False
+        elsewhere = False
         if self._guided:
             last = self._guided[-1]
             elsewhere = np.isinf(last.until_s)
             self._guided[-1] = replace(last, until_s=min(last.until_s, piece.start_time))
-        place = self._command.append(piece)
-        self._windows.follow(
-            piece.start_time,
-            piece.path,
-            piece.timing,
-            piece.from_s,
-            piece.to_s,
-            empty=empty,
-            elsewhere=elsewhere,
-        )
-        return place
+        if elsewhere:
+            filter_time = self._windows.filter_time
+            self._windows.begin(piece.start_time, filter_time, elsewhere=True)
+        return self._ramped.append(piece, elsewhere=elsewhere)
 
     def cut(self, time_s: float) -> None:
         """Remove the command after a time [s]."""
         self._windows.cut(time_s)
-        self._command.cut(time_s)
+        self._ramped.cut(time_s)
         if self._guided and time_s <= self._guided[-1].until_s:
             self._guided[-1] = replace(self._guided[-1], until_s=np.inf)
 
@@ -182,7 +181,7 @@ class Trajectory:
         # Queries for the time of rest refer to the end of the command.
         seen_s = min(before_s, self.command_end) - self._windows.widest
         self._windows.forget(seen_s)
-        self._command.forget(seen_s)
+        self._ramped.forget(seen_s)
         self._guided = [one for one in self._guided if one.until_s >= seen_s]
         self._corrected = [one for one in self._corrected if one.until_s >= seen_s]
         for guided in self._guided:
@@ -193,20 +192,20 @@ class Trajectory:
     def extended(self, piece: Piece) -> Trajectory:
         """Return a copy with one more piece; this trajectory is unchanged."""
         longer = Trajectory(self._start, smoothing=self._smoothing)
-        longer._windows, longer._command = self._windows.copy(), self._command.copy()
+        longer._windows, longer._ramped = self._windows.copy(), self._ramped.copy()
         longer._guided, longer._corrected = self._guided.copy(), self._corrected
         longer.append(piece)
         return longer
 
     @property
     def command_end(self) -> float:
-        """End of the command [s]; 0 without pieces."""
-        return self._command.end
+        """End of the planned command [s]; 0 without pieces."""
+        return self._ramped.planned.end
 
     @property
     def duration(self) -> float:
         """Last instant [s] of visible motion; 0 without pieces."""
-        planned_s = self.seen_s(self.command_end) if self._command.last_row else 0.0
+        planned_s = self.seen_s(self.command_end) if self._ramped.planned.last_row else 0.0
         led_s = (one[-1].end_s for one in (self.guided, self._corrected) if one)
         return max(planned_s, *led_s, 0.0)
 
@@ -216,17 +215,18 @@ class Trajectory:
 
     def lag_s(self, command_s: float) -> float:
         """Return the delay [s] of the visible motion after that time."""
-        return self._windows.lag(command_s)
+        ramp_s = self._ramped.lag_s(command_s)
+        return ramp_s + self._windows.lag(command_s + ramp_s)
 
     @property
     def has_ramps(self) -> bool:
-        """Whether a ramp of AccSet widens the smoothing window anywhere."""
-        return self._windows.has_ramps
+        """Whether a ramp of AccSet acts anywhere."""
+        return self._ramped.has_ramps
 
     @property
     def length(self) -> float:
         """Position S [m] of the run at the end of the last piece."""
-        return self._command.length
+        return self._ramped.planned.length
 
     @property
     def travelled_m(self) -> float:
@@ -407,8 +407,8 @@ class Trajectory:
 
     def fastest_rate(self, start_s: float) -> float:
         """Return the upper bound of the TCP travel per change of S from a time [s] on."""
-        seen_s, fastest = start_s - self._windows.widest, 1.0
-        for piece in reversed(self._command.pieces):
+        seen_s, fastest = start_s - self._windows.widest - self._ramped.widest, 1.0
+        for piece in reversed(self.pieces):
             fastest = max(fastest, piece.path.fastest_rate)
             if piece.start_time < seen_s:
                 break

@@ -144,7 +144,7 @@ def _ramps(simulation: Simulation) -> str | None:
     """Note on the modelled effect of AccSet ramps; None if no move has one."""
     if not any(robot.trajectory.has_ramps for robot in simulation.robots):
         return None
-    return "AccSet's ramp of p % smooths over 100 / p of that time (assumed, not measured)"
+    return "AccSet's ramp of p % averages the speed over 100 / p of that time (assumed)"
 
 
 def _degrees(values: Sequence[float]) -> str:

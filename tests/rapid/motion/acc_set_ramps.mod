@@ -1,5 +1,6 @@
-! RAPID Instructions, AccSet: how quickly accelerations rise. A ramp of p % is taken to smooth the
-! motion over 100/p of that; it is later at rest by the difference.
+! RAPID Instructions, AccSet: how quickly accelerations rise. A ramp of p % is taken to let them
+! rise over 100/p of the time; the motion is later at rest by the difference, and slow for as long
+! around corners.
 MODULE acc_set_ramps
   CONST robtarget p:=[[850,-350,600],[0,0,1,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]];
   CONST num wide:=0.0015;
@@ -32,8 +33,8 @@ MODULE acc_set_ramps
     TPWrite "three: "\Bool:=is(three_lines()-full,3*smoothing);          ! -> three: TRUE
     ! On the way a lower ramp acts within a second of its move, a higher one from the next stop on.
     full:=round_a_corner(100,100);
-    TPWrite "lower: "\Bool:=is(round_a_corner(100,50)-full,smoothing);   ! -> lower: TRUE
-    TPWrite "higher: "\Bool:=is(round_a_corner(50,100)-full,smoothing);  ! -> higher: TRUE
+    TPWrite "lower: "\Bool:=is(round_a_corner(100,50)-full,0.105);       ! -> lower: TRUE
+    TPWrite "higher: "\Bool:=is(round_a_corner(50,100)-full,0.105);      ! -> higher: TRUE
     TPWrite "after it: "\Bool:=is(round_a_corner(100,100)-full,0);  ! -> after it: TRUE
   ENDPROC
 
