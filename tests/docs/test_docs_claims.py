@@ -31,6 +31,8 @@ NO_CLAIMS = (
         "| 1 GB, 10,000, 100 |",
         "at most 500 MB in total",
         "| 500 MB | 1, before it runs |",
+        "a program has 2 GB of memory",
+        "on Linux with 2 GB of memory",
     ),
     "a container of about 900 MB",
 )
