@@ -88,7 +88,7 @@ def test_the_default_arm_stays_where_it_makes_all(tmp_path: Path) -> None:
 
 
 def test_both_doors_take_the_same_arm(tmp_path: Path) -> None:
-    (tmp_path / "Job.mod").write_text(program("irb6640-180-2.55"))
+    (tmp_path / "Job.mod").write_text(program("irb6640-180-2.55", count=8))
     checked = call("check", "Job.mod", "--no-cache", cwd=tmp_path).out
     ran = call("run", "Job.mod", "--no-record", "--format", "json", cwd=tmp_path)
     named = json.loads(ran.out)["robot"]
@@ -190,7 +190,7 @@ def test_a_name_counts_where_no_arm_reaches_the_targets(tmp_path: Path) -> None:
 SEVEN = "irb14000-0.5-0.5"
 
 
-def of_yumi(side: str, count: int = 4) -> str:
+def of_yumi(side: str, count: int = 2) -> str:
     """Moves to targets of an arm of a YuMi, with `eax_a` as its programs have it."""
     robot, random_ = load_robot(f"{SEVEN}-{side}"), random.Random(3)
     lines = []
