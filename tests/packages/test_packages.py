@@ -229,9 +229,14 @@ def test_the_source_archive_installs(
 
 @pytest.mark.parametrize("what", ["editable", "wheel"])
 def test_mypy_follows_what_is_installed(
-    what: str, archives: tuple[Path, Path], environment: Environment, elsewhere: Path
+    what: str, core: Environment, elsewhere: Path, tmp_path: Path
 ) -> None:
-    environment.install("types-greenlet", *(["-e", ROOT] if what == "editable" else [archives[1]]))
+    if what == "wheel":
+        environment = on_top_of(core, tmp_path / "venv", "--without-pip")
+        environment.install("types-greenlet")
+    else:
+        environment = made(tmp_path / "venv", "--without-pip")
+        environment.install("types-greenlet", "-e", ROOT)
     looking_there = ("--python-executable", environment.bin / "python", "--strict")
     (elsewhere / "user.py").write_text(USER_PROGRAM)
     ended = ran(*MYPY, *looking_there, "user.py", cwd=elsewhere)
