@@ -42,7 +42,7 @@ settings.register_profile(
     deadline=None,
     suppress_health_check=[HealthCheck.too_slow],
 )
-settings.register_profile("fast", settings.get_profile("ci"), max_examples=25)
+settings.register_profile("fast", settings.get_profile("ci"), max_examples=8)
 settings.register_profile("explore", deadline=None, max_examples=500)
 settings.load_profile(PROFILE)
 

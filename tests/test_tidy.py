@@ -6,22 +6,15 @@ import sys
 from pathlib import Path
 
 import pytest
+from mypy_command import MYPY
 
 ROOT = Path(__file__).parents[1]
 BIN = Path(sys.executable).parent
 
-MYPY = """import gc
-gc.disable()
-gc.enable = gc.disable
-from mypy.__main__ import console_entry
-console_entry()
-"""
-"""Garbage is a sixth of its time without a cache, and its process ends soon enough."""
-
 TOOLS = {
     "ruff-format": ["ruff", "format", "--check", "."],
     "ruff-check": ["ruff", "check", "."],
-    "mypy": ["python", "-P", "-c", MYPY],
+    "mypy": list(MYPY),
     "import-linter": ["lint-imports", "--no-cache"],
 }
 

@@ -93,7 +93,7 @@ def first_error(printed: str) -> tuple[str, str, int]:
     return first["code"], first["message"], first["line"]
 
 
-@pytest.mark.parametrize(("mistake", "clause", "cell"), some(CASES, 7))
+@pytest.mark.parametrize(("mistake", "clause", "cell"), some(CASES, 13))
 def test_no_door_is_green(mistake: str, clause: str, cell: str, tmp_path: Path) -> None:
     program = planted(mistake, clause, cell, tmp_path)
     arm = ("--robot", "irb1600") if cell == "circle" else ()

@@ -2,12 +2,17 @@
 
 import json
 import random
+from collections.abc import Sequence
 from pathlib import Path
 
 import numpy as np
 import pytest
 from command_line import call
 
+from rapidsim.analysis.program import Program
+from rapidsim.jobs.checking import best_arm
+from rapidsim.jobs.checking.best_arm import with_best_arm
+from rapidsim.jobs.inputs.job import Job
 from rapidsim.motion.configurations.confdata import confdata_of
 from rapidsim.motion.robot.robot import load_robot
 
@@ -88,7 +93,7 @@ def test_the_default_arm_stays_where_it_makes_all(tmp_path: Path) -> None:
 
 
 def test_both_doors_take_the_same_arm(tmp_path: Path) -> None:
-    (tmp_path / "Job.mod").write_text(program("irb6640-180-2.55"))
+    (tmp_path / "Job.mod").write_text(program("irb6640-180-2.55", count=8))
     checked = call("check", "Job.mod", "--no-cache", cwd=tmp_path).out
     ran = call("run", "Job.mod", "--no-record", "--format", "json", cwd=tmp_path)
     named = json.loads(ran.out)["robot"]
@@ -97,6 +102,28 @@ def test_both_doors_take_the_same_arm(tmp_path: Path) -> None:
     assert f"on {named} (best of the catalogue" in again.replace("\n", " ")
     said = call("run", "Job.mod", "--no-record", cwd=tmp_path).out.replace("\n", " ")
     assert "best of the catalogue" in " ".join(said.split())
+
+
+def test_several_tasks_are_looked_at_once_for_their_arm(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    (tmp_path / "a.mod").write_text(near().replace("Job", "a"))
+    (tmp_path / "b.mod").write_text("MODULE b\n  PROC main()\n  ENDPROC\nENDMODULE\n")
+    (tmp_path / "rapidsim.toml").write_text(
+        '[[task]]\nname = "T_ROB1"\nmodules = ["a.mod"]\n'
+        '[[task]]\nname = "T_OTHER"\nmodules = ["b.mod"]\n'
+    )
+    chosen: list[str] = []
+
+    def noted(job: Job, programs: Sequence[Program]) -> Job:
+        found = with_best_arm(job, programs)
+        chosen.append(found.robot.name)
+        return found
+
+    monkeypatch.setattr(best_arm, "with_best_arm", noted)
+    checked = " ".join(call("check", ".", "--no-run", cwd=tmp_path).out.split())
+    assert len(chosen) == 1
+    assert f"on {chosen[0]} (best of the catalogue" in checked
 
 
 def test_what_a_guess_does_not_reach_is_a_warning(tmp_path: Path) -> None:
@@ -190,7 +217,7 @@ def test_a_name_counts_where_no_arm_reaches_the_targets(tmp_path: Path) -> None:
 SEVEN = "irb14000-0.5-0.5"
 
 
-def of_yumi(side: str, count: int = 4) -> str:
+def of_yumi(side: str, count: int = 2) -> str:
     """Moves to targets of an arm of a YuMi, with `eax_a` as its programs have it."""
     robot, random_ = load_robot(f"{SEVEN}-{side}"), random.Random(3)
     lines = []

@@ -128,7 +128,7 @@ def three_moves(robot: Robot) -> str:
     )
 
 
-@pytest.mark.parametrize("name", [*some(robot_names(), 4), "irb920-6-0.55", "irb14000-0.5-0.5"])
+@pytest.mark.parametrize("name", [*some(robot_names(), 8), "irb920-6-0.55", "irb14000-0.5-0.5"])
 def test_every_arm_runs_and_names_the_arm_that_lends_its_speeds(tmp_path: Path, name: str) -> None:
     robot = load_robot(name)
     file = tmp_path / "three.mod"

@@ -55,6 +55,6 @@ def test_what_is_all_but_above_the_middle_of_a_sheet_is_measured_to_the_end() ->
 
 @pytest.mark.parametrize("name", ["irb1600-6-1.2", "irb140-6-0.81", "kr16-2"])
 def test_links_and_a_box_touch_where_another_library_says_so(name: str) -> None:
-    tally = arm_touches(load_robot(name), cases(150), seed=3)
+    tally = arm_touches(load_robot(name), cases(300), seed=3)
     assert not tally.wrong
     assert tally.touching

@@ -4,6 +4,7 @@ Each environment takes many seconds, so these tests run behind the others.
 """
 
 import json
+import os
 import re
 import shutil
 import subprocess
@@ -12,6 +13,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import pytest
+from mypy_command import MYPY
 
 from rapidsim.extras import EXTRAS
 
@@ -40,7 +42,6 @@ for name in ("irb120", "irb1600"):
 
 PIP = (sys.executable, "-m", "pip")
 """The one of the tests, which installs into other environments as well."""
-MYPY = (sys.executable, "-m", "mypy")
 
 
 @dataclass(frozen=True)
@@ -66,9 +67,14 @@ class Environment:
         assert done.returncode == 0, done.stderr
 
 
-def ran(*command: object, cwd: Path) -> subprocess.CompletedProcess[str]:
+def ran(*command: object, cwd: Path, **variables: str) -> subprocess.CompletedProcess[str]:
     return subprocess.run(
-        list(map(str, command)), cwd=cwd, capture_output=True, text=True, check=False
+        list(map(str, command)),
+        cwd=cwd,
+        env={**os.environ, **variables},
+        capture_output=True,
+        text=True,
+        check=False,
     )
 
 
@@ -97,10 +103,30 @@ def environment(tmp_path: Path) -> Environment:
     return made(tmp_path / "venv", "--without-pip")
 
 
-@pytest.fixture
-def environment_of_a_user(tmp_path: Path) -> Environment:
-    """A fresh one as `python -m venv` makes it."""
-    return made(tmp_path / "venv")
+@pytest.fixture(scope="session")
+def core(archives: tuple[Path, Path], tmp_path_factory: pytest.TempPathFactory) -> Environment:
+    """One as `python -m venv` makes it, with the core, installed as a user does; never changed."""
+    environment = made(tmp_path_factory.mktemp("core") / "venv")
+    environment.install(archives[1])
+    return environment
+
+
+def on_top_of(core: Environment, folder: Path, *options: str) -> Environment:
+    """A fresh one to which all that is installed in the core's seems to be installed."""
+    environment = made(folder, *options)
+    ask = ("python", "-c", "import sysconfig; print(sysconfig.get_path('purelib'))")
+    places = [Path(one.run(*ask, cwd=folder).stdout.strip()) for one in (environment, core)]
+    (places[0] / "core.pth").write_text(f"{places[1]}\n")
+    return environment
+
+
+@pytest.fixture(scope="session")
+def newest_pip(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A folder with a pip that asks an index what it could install, and downloads none of it."""
+    folder = tmp_path_factory.mktemp("pip")
+    done = ran(*PIP, "install", "-q", "--no-compile", "--target", folder, "pip>=26", cwd=folder)
+    assert done.returncode == 0, done.stderr
+    return folder
 
 
 @pytest.fixture
@@ -131,11 +157,9 @@ NEEDS = {
 
 
 def test_the_core_is_small_and_does_all_but_what_it_says(
-    archives: tuple[Path, Path], environment_of_a_user: Environment, elsewhere: Path
+    core: Environment, elsewhere: Path
 ) -> None:
-    environment = environment_of_a_user
-    environment.install(archives[1])
-    taken = sum(f.stat().st_size for f in environment.folder.rglob("*") if f.is_file())
+    taken = sum(f.stat().st_size for f in core.folder.rglob("*") if f.is_file())
     assert taken / 1e6 < MOST_MB
     for arguments in (
         ("check", "circle.mod", "--robot", "irb1600"),
@@ -145,36 +169,37 @@ def test_the_core_is_small_and_does_all_but_what_it_says(
         ("explain", "K603"),
         ("robots", "irb1600"),
     ):
-        ended = environment.run("rapidsim", *arguments, cwd=elsewhere)
+        ended = core.run("rapidsim", *arguments, cwd=elsewhere)
         assert ended.returncode == 0, ended.stderr
     assert (elsewhere / "x.html").is_file()
     assert (elsewhere / "x.csv").is_file()
     assert not (elsewhere / "lines.rrd").exists()
     for name, needing in NEEDS.items():
-        ended = environment.run("rapidsim", *needing, cwd=elsewhere)
+        ended = core.run("rapidsim", *needing, cwd=elsewhere)
         assert ended.returncode == 2
         assert f'pip install "rapidsim[{name}]"' in ended.stderr
 
 
 @pytest.mark.parametrize("name", sorted(set(EXTRAS.values())))
 def test_an_extra_brings_what_it_is_for(
-    name: str, archives: tuple[Path, Path], environment: Environment, elsewhere: Path
+    name: str, archives: tuple[Path, Path], core: Environment, elsewhere: Path, tmp_path: Path
 ) -> None:
+    environment = on_top_of(core, tmp_path / "venv", "--without-pip")
     environment.install(extra(archives[1], name))
     package = next(package for package, of in EXTRAS.items() if of == name)
     ended = environment.run("python", "-c", f"import {package}", cwd=elsewhere)
     assert ended.returncode == 0, ended.stderr
     if name in NEEDS:
-        ended = environment.run("rapidsim", *NEEDS[name], cwd=elsewhere)
+        ended = environment.run("python", "-m", "rapidsim", *NEEDS[name], cwd=elsewhere)
         assert ended.returncode == 0, ended.stderr
 
 
 def test_the_command_that_a_message_names_brings_an_extra(
-    archives: tuple[Path, Path], environment_of_a_user: Environment, elsewhere: Path
+    core: Environment, elsewhere: Path, tmp_path: Path
 ) -> None:
-    environment_of_a_user.install(archives[1])
-    environment_of_a_user.install("rapidsim[parquet]")
-    ended = environment_of_a_user.run("rapidsim", *NEEDS["parquet"], cwd=elsewhere)
+    environment = on_top_of(core, tmp_path / "venv")
+    environment.install("rapidsim[parquet]")
+    ended = environment.run("python", "-m", "rapidsim", *NEEDS["parquet"], cwd=elsewhere)
     assert ended.returncode == 0, ended.stderr
 
 
@@ -204,9 +229,14 @@ def test_the_source_archive_installs(
 
 @pytest.mark.parametrize("what", ["editable", "wheel"])
 def test_mypy_follows_what_is_installed(
-    what: str, archives: tuple[Path, Path], environment: Environment, elsewhere: Path
+    what: str, core: Environment, elsewhere: Path, tmp_path: Path
 ) -> None:
-    environment.install("types-greenlet", *(["-e", ROOT] if what == "editable" else [archives[1]]))
+    if what == "wheel":
+        environment = on_top_of(core, tmp_path / "venv", "--without-pip")
+        environment.install("types-greenlet")
+    else:
+        environment = made(tmp_path / "venv", "--without-pip")
+        environment.install("types-greenlet", "-e", ROOT)
     looking_there = ("--python-executable", environment.bin / "python", "--strict")
     (elsewhere / "user.py").write_text(USER_PROGRAM)
     ended = ran(*MYPY, *looking_there, "user.py", cwd=elsewhere)
@@ -226,7 +256,7 @@ def test_types_hold_with_the_newest_python() -> None:
 @pytest.mark.parametrize("python", PYTHONS)
 @pytest.mark.parametrize("system", SYSTEMS)
 def test_wheels_of_all_dependencies_exist(
-    python: str, system: str, archives: tuple[Path, Path], tmp_path: Path
+    python: str, system: str, archives: tuple[Path, Path], newest_pip: Path, tmp_path: Path
 ) -> None:
     report = tmp_path / "report.json"
     done = ran(
@@ -238,6 +268,7 @@ def test_wheels_of_all_dependencies_exist(
         f"--report={report}",
         extra(archives[1], "all"),
         cwd=tmp_path,
+        PYTHONPATH=str(newest_pip),
     )
     assert done.returncode == 0, done.stderr
     found = json.loads(report.read_text(encoding="utf-8"))["install"]

@@ -30,7 +30,7 @@ RESERVATIONS = {
 """Programs that only a strict check rejects, and why."""
 TOLD_BY_A_RUN = {"R104", "I801", "N220"}
 TOLD_IN_HEADLINE = ("ended early", "not in the stored configuration")
-CASES = sorted({*some(PROGRAMS, 8), *(one for one in PROGRAMS if name(one) in RESERVATIONS)})
+CASES = sorted({*some(PROGRAMS, 16), *(one for one in PROGRAMS if name(one) in RESERVATIONS)})
 
 
 @pytest.mark.parametrize("program", CASES, ids=name)

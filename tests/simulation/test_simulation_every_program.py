@@ -26,11 +26,11 @@ from rapidsim.simulation.results.simulation import Simulation
 from rapidsim.simulation.simulate import simulate
 
 ROOT = Path(__file__).parents[2]
-LOOK_AT_AXES = cases(3_000)
+LOOK_AT_AXES = cases(6_400)
 """So many samples of each program with smoothed axes, which take longer."""
-LEAST_MOVING = {"tests/check/corpus": 4, "tests/rapid/motion": 10}
+LEAST_MOVING = {"tests/check/corpus": 3, "tests/rapid/motion": 8}
 """So many programs of a folder at least are run to their moves."""
-LEAST_SEGMENTS = {"tests/check/corpus": 1, "tests/rapid/motion": 10}
+LEAST_SEGMENTS = {"tests/check/corpus": 1, "tests/rapid/motion": 8}
 """So many segments of a folder at least are compared."""
 LEAST_OF_RULES = (13, 17)
 
@@ -52,13 +52,13 @@ def test_the_folders_with_most_programs_are_looked_at() -> None:
 
 @pytest.mark.parametrize("folder", FOLDERS)
 def test_programs_of_the_repository(folder: str) -> None:
-    moving, segments = assert_all(some(FOLDERS[folder], 2))
+    moving, segments = assert_all(some(FOLDERS[folder], 4))
     assert moving >= LEAST_MOVING.get(folder, 0)
     assert segments >= LEAST_SEGMENTS.get(folder, 0)
 
 
 def test_programs_of_rules(rule_programs: list[Path]) -> None:
-    moving, segments = assert_all(some([*filter(names_a_move, rule_programs)], 3))
+    moving, segments = assert_all(some([*filter(names_a_move, rule_programs)], 6))
     least_moving, least_segments = LEAST_OF_RULES
     assert moving >= least_moving
     assert segments >= least_segments

@@ -3,13 +3,13 @@
 The program is right; each change makes one mistake, at one statement, in a check as in a run.
 """
 
-import json
 import re
 from dataclasses import dataclass
 from pathlib import Path
 
 import pytest
-from command_line import call
+
+import rapidsim
 
 CELL = Path(__file__).parents[2] / "programs" / "cell"
 GRIPPER = '\n[gripper]\nclose = "doGrip = 1"\nclosed = "diGripped = 1"\nat = "stand"\n'
@@ -83,8 +83,7 @@ def test_each_mistake_is_found_at_its_statement(name: str, command: str, tmp_pat
         station = station.replace('doGrip = { type = "do" }', 'doGrip = { type = "do", value = 1 }')
     (tmp_path / "PickAndPlace.mod").write_text(changed)
     (tmp_path / "rapidsim.toml").write_text(station)
-    options = ("--no-record", "--format") if command == "run" else ("--output-format",)
-    ended = call(command, ".", *options, "json", cwd=tmp_path)
-    diagnostics = json.loads(ended.out)["diagnostics"]
-    found = [(one["code"], one["line"]) for one in diagnostics if one["code"].startswith("I81")]
-    assert tuple(found) == mistake.found
+    cell = rapidsim.load(tmp_path)
+    diagnostics = (cell.run() if command == "run" else cell.check()).diagnostics
+    found = [(one.code, one.line) for one in diagnostics if one.code.startswith("I81")]
+    assert tuple(sorted(found)) == mistake.found

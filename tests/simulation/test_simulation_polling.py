@@ -291,7 +291,7 @@ motion = true
 POLLING_TASKS = {
     "an input": "WHILE diGo=0 DO\nENDWHILE",
     "a persistent of another task": "WHILE turn<{number} DO\nENDWHILE",
-    "a clock": "ClkStart watch;\nWHILE ClkRead(watch)<0.0{number}3 AND diGo=0 DO\nENDWHILE",
+    "a clock": "ClkStart watch;\nWHILE ClkRead(watch)<0.00{number}3 AND diGo=0 DO\nENDWHILE",
     "an output of another task": "WHILE diGo=0 DO\nENDWHILE\nWHILE DOutput(doNext)=0 DO\nENDWHILE",
     "a loop in a loop": "WHILE diGo=0 DO\nFOR i FROM 1 TO {number} DO\nlast:=i;\nENDFOR\nENDWHILE",
 }
@@ -332,10 +332,10 @@ def test_tasks_that_poll_each_other_skip_to_what_they_would_see(
     first: str, second: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     loops = (POLLING_TASKS["an input"], POLLING_TASKS[first], POLLING_TASKS[second])
-    skipped = seen_by_tasks(polling_tasks(tmp_path / "a", loops, 0.0463))
+    skipped = seen_by_tasks(polling_tasks(tmp_path / "a", loops, 0.0063))
     monkeypatch.setattr(BusyWaitDetector, "observe", lambda self, used, done: None)
     monkeypatch.setattr(BusyWaitDetector, "ticks_left", lambda self, used: 1 << 60)
-    each_round = seen_by_tasks(polling_tasks(tmp_path / "b", loops, 0.0463))
+    each_round = seen_by_tasks(polling_tasks(tmp_path / "b", loops, 0.0063))
     assert len(skipped) == 3
     # Two or three ticks: in which order tasks look within one, a rounding decides.
     assert skipped == pytest.approx(each_round, abs=5e-5)

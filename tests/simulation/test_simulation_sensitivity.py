@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from typing import Any
 
 import pytest
 from simulation_program import ran
 
 from rapidsim.motion.model import MODELS, MotionModel
 from rapidsim.motion.timing.axis_limits import limits_of
+from rapidsim.motion.timing.planning import plan
+from rapidsim.motion.timing.time_scaling import TimeScaling
 from rapidsim.simulation.results import acceleration_sensitivity
 from rapidsim.simulation.results.acceleration_sensitivity import extra_time_s
 
@@ -51,3 +54,21 @@ def test_a_long_run_is_not_timed_again(monkeypatch: pytest.MonkeyPatch) -> None:
     run = ran(PROGRAM).run
     monkeypatch.setattr(acceleration_sensitivity, "MOST_SEGMENTS", 2)
     assert extra_time_s(run.only.trajectory, limits_of(run.only.robot, run.model), 2.0) is None
+
+
+def test_cycles_that_repeat_are_timed_again_once(monkeypatch: pytest.MonkeyPatch) -> None:
+    main = PROGRAM.replace("main()", "cycle()")
+    loop = (
+        "  PROC main()\n    FOR i FROM 1 TO 6 DO\n      cycle;\n    ENDFOR\n  ENDPROC\nENDMODULE\n"
+    )
+    run = ran(main.replace("ENDMODULE\n", loop)).run
+    starts: list[float] = []
+
+    def counted(*arguments: Any, **named: Any) -> TimeScaling:
+        starts.append(named["start"])
+        return plan(*arguments, **named)
+
+    monkeypatch.setattr(acceleration_sensitivity, "plan", counted)
+    limits = limits_of(run.only.robot, run.model)
+    assert extra_time_s(run.only.trajectory, limits, 2.0) is not None
+    assert len(starts) < len(run.only.trajectory.pieces) / 2

@@ -111,7 +111,7 @@ WAYS = (
 
 @pytest.mark.parametrize(
     ("operation", "sides", "zone"),
-    [(one, *way) for turn, one in enumerate(OPERATIONS) for way in in_turn(WAYS, turn, 2)],
+    [(one, *way) for turn, one in enumerate(OPERATIONS) for way in in_turn(WAYS, turn, 1)],
 )
 def test_a_team_ends_in_a_known_way(operation: str, sides: str, zone: str) -> None:
     it = asked(OPERATIONS[operation], sides, zone)

@@ -18,6 +18,7 @@ from rapidsim.reach.checked_moves import Coverage, ReachReport
 from rapidsim.values import value_class
 
 if TYPE_CHECKING:
+    from rapidsim.jobs.checking.check_files import TaskMoves
     from rapidsim.jobs.checking.checked_program import LoadedProgram
     from rapidsim.motion.robot.robot import Robot
 
@@ -97,39 +98,39 @@ def _only(job: Job, kept: ResultCache, processes: int) -> Record:
     """Return the record of a job; tasks without a cached record are checked in parallel."""
     if len(job.tasks) < 2:
         return _job_record(job)
-    if not job.is_arm_named:
-        from rapidsim.jobs.checking.check_files import with_best_arm_of_files
-
-        # Findings of one task depend on the arm, and the arm on the targets of all tasks.
-        job = with_best_arm_of_files(job)
-    known = {task.name: record for task in job.tasks if (record := kept.of_task(job, task))}
-    left = [task for task in job.tasks if task.name not in known]
-    if processes > 1 and len(left) > 1:
-        from rapidsim.jobs.cache.processes import in_processes
-
-        records = in_processes(partial(_task_record, job), left, processes)
-        for task, record in zip(left, records, strict=True):
-            kept.keep_task(job, task, record)
-            known[task.name] = record
+    from rapidsim.jobs.checking.check_files import check_job
 
     watched = _ObservedJob(job)
 
-    def moves_of(
-        task: TaskFiles, loaded: LoadedProgram, make: Callable[[], ReachReport]
-    ) -> ReachReport:
-        sources = [file.source for file in loaded.files]
-        if task.name in known:
-            found = read_findings(known[task.name], sources)
-            watched.notices.extend(found.notices)
-            return ReachReport(found.diagnostics, found.coverage)
-        heard = len(watched.notices)
-        report = make()
-        kept.keep_task(job, task, watched.record(report, heard))
-        return report
+    def moves_for(with_arm: Job) -> TaskMoves:
+        # Findings of one task depend on the arm, and the arm on the targets of all tasks.
+        asked = replace(job, robot=with_arm.robot)
+        known = {task.name: record for task in job.tasks if (record := kept.of_task(asked, task))}
+        left = [task for task in job.tasks if task.name not in known]
+        if processes > 1 and len(left) > 1:
+            from rapidsim.jobs.cache.processes import in_processes
 
-    from rapidsim.jobs.checking.check_files import check_job
+            records = in_processes(partial(_task_record, asked), left, processes)
+            for task, record in zip(left, records, strict=True):
+                kept.keep_task(asked, task, record)
+                known[task.name] = record
 
-    return watched.record(check_job(watched.job, moves_of))
+        def moves_of(
+            task: TaskFiles, loaded: LoadedProgram, make: Callable[[], ReachReport]
+        ) -> ReachReport:
+            sources = [file.source for file in loaded.files]
+            if task.name in known:
+                found = read_findings(known[task.name], sources)
+                watched.notices.extend(found.notices)
+                return ReachReport(found.diagnostics, found.coverage)
+            heard = len(watched.notices)
+            report = make()
+            kept.keep_task(asked, task, watched.record(report, heard))
+            return report
+
+        return moves_of
+
+    return watched.record(check_job(watched.job, moves_for))
 
 
 def _job_record(job: Job) -> Record:

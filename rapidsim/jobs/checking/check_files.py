@@ -84,8 +84,13 @@ def check(
 
 
 @gc_rarely()
-def check_job(job: Job, moves_of: TaskMoves = made_now) -> CheckResult:
-    """Check a job with the requested rules and those of the settings."""
+def check_job(job: Job, moves_for: Callable[[Job], TaskMoves] | None = None) -> CheckResult:
+    """Check a job with the requested rules and those of the settings.
+
+    Args:
+        job: The job.
+        moves_for: Returns, for the job with its arm, what reports on the moves of each task.
+    """
     station, selection = job.station, _selection(job)
     rules = detectors_of(selection.includes)
     job, loaded = _with_arm(job, [_loaded(task, rules, job.cell) for task in job.tasks], rules)
@@ -96,7 +101,7 @@ def check_job(job: Job, moves_of: TaskMoves = made_now) -> CheckResult:
         even_without_moves=station.check.cycle_budget_s is not None,
         cell=job.cell,
         check_cell=_cell_check(job),
-        moves_of=moves_of,
+        moves_of=made_now if moves_for is None else moves_for(job),
         loaded=loaded,
     )
     undriven = find_never_driven(result.trees, station.io)

@@ -114,6 +114,7 @@ def entry_name(name: str) -> str:
     return aliases().get(wanted, wanted)
 
 
+@cache
 def find_entry(name: str) -> CatalogueEntry:
     """Return the robot of a name or alias, in any case.
 

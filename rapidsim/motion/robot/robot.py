@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from functools import cached_property
+from functools import cache, cached_property
 from pathlib import Path
 from typing import Final
 
@@ -18,6 +18,7 @@ from rapidsim.motion.robot.catalogue import (
     CatalogueEntry,
     RobotError,
     dynamics_of,
+    entry_name,
     find_entry,
     kinematics_of,
     robot_names,
@@ -213,7 +214,13 @@ def load_robot(name_or_path: str | Path, scale: float | None = None) -> Robot:
         )
     if scale is not None:
         raise RobotError(f"`{text}` is in the catalogue: only lengths of a URDF file are scaled")
-    return _from_entry(find_entry(text))
+    return _from_catalogue(entry_name(text))
+
+
+@cache
+def _from_catalogue(name: str) -> Robot:
+    """Return an arm of the catalogue, the same object each time: the catalogue does not change."""
+    return _from_entry(find_entry(name))
 
 
 def _from_entry(entry: CatalogueEntry) -> Robot:

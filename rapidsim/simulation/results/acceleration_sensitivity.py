@@ -7,8 +7,12 @@ dwells are unchanged.
 
 from __future__ import annotations
 
+from functools import cache
+
+from rapidsim.motion.path.path import Path
 from rapidsim.motion.timing.axis_limits import Limits
 from rapidsim.motion.timing.planning import plan
+from rapidsim.motion.timing.time_scaling import TimeScaling
 from rapidsim.motion.trajectory.trajectory import Trajectory
 
 MOST_SEGMENTS = 2000
@@ -28,9 +32,15 @@ def extra_time_s(trajectory: Trajectory, limits: Limits, factor: float) -> float
         return None
     scaled = limits.scaled(factor)
     extra_s, speed, ends_s = 0.0, 0.0, 0.0
+
+    @cache
+    def timed(path: Path, start: float, start_speed: float) -> TimeScaling:
+        """Return the timing of a block; cycles that repeat have one path."""
+        return plan(path, scaled, start=start, start_speed=start_speed)
+
     for piece in trajectory.pieces:
         goes_on = piece.start_time - ends_s < _TOGETHER_S
-        timing = plan(piece.path, scaled, start=piece.from_s, start_speed=speed if goes_on else 0.0)
+        timing = timed(piece.path, piece.from_s, speed if goes_on else 0.0)
         until_s = timing.time_at(piece.to_s)
         before_s = piece.timing.time_at(piece.to_s) - piece.timing.time_at(piece.from_s)
         extra_s += until_s - before_s
