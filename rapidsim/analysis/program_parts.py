@@ -15,9 +15,10 @@ from operator import or_
 from typing import Any, TypeVar
 
 from rapidsim.analysis.context import Analysis
-from rapidsim.analysis.flow.graph import EXIT, NORMAL, ControlFlowGraph
+from rapidsim.analysis.flow.graph import ControlFlowGraph
+from rapidsim.analysis.flow.returning import may_return, returning
 from rapidsim.analysis.flow.summaries import components, summarise
-from rapidsim.analysis.program import LibrarySymbol, RoutineSymbol, Symbol, does
+from rapidsim.analysis.program import LibrarySymbol, RoutineSymbol, Symbol, control_flow, does
 from rapidsim.analysis.tree_walk import descendants
 from rapidsim.diagnostics import Diagnostic, Fix, Related, Span, Violation
 from rapidsim.library.table import LibraryRoutine
@@ -224,21 +225,17 @@ class Facts:
     def returning(self) -> Mapping[tree.Routine, bool]:
         """Whether a call of each routine can return; a server with an endless loop cannot."""
 
-        def summary_of(part: ProgramPart, known: Mapping[ProgramPart, bool]) -> bool:
-            def never_returns(node: tree.Node) -> bool:
-                callee = self.callee_of(node)
-                return callee is not None and not known[callee]
+        def can_end(part: ProgramPart) -> bool:
+            return self.of_part(_may_return, part)
 
-            if not self.of_part(_may_return, part):
-                return False
-            if all(known[callee] for callee in self.call_graph[part]):
-                return True
-            is_unread = tree.InvalidStatement in part.nodes
-            graph = self.flow(part)
-            return is_unread or EXIT in graph.reached(NORMAL, graph.entries, never_returns)
-
-        callees = self.call_graph.__getitem__
-        found = summarise(self.routine_parts, callees, False, summary_of, self.components)
+        found = returning(
+            self.routine_parts,
+            self.call_graph.__getitem__,
+            self.callee_of,
+            self.flow,
+            can_end,
+            self.components,
+        )
         return {part.routine: can for part, can in found.items() if part.routine is not None}
 
     def can_return(self, call: tree.Call | tree.FunctionCall) -> bool:
@@ -256,7 +253,7 @@ class Facts:
     def flow(self, part: ProgramPart) -> ControlFlowGraph:
         """The control-flow graph of a routine."""
         assert part.routine is not None
-        return self.analysis.flow(part.routine, part.all(tree.FunctionCall))
+        return control_flow(self.analysis, part.routine, part.all(tree.FunctionCall))
 
     @cached_property
     def moving(self) -> int:
@@ -336,10 +333,7 @@ def _callees(part: ProgramPart, facts: Facts) -> tuple[tree.Routine, ...]:
 
 def _may_return(part: ProgramPart, facts: Facts) -> bool:
     """Whether a routine can return if all its callees do."""
-    if tree.InvalidStatement in part.nodes:
-        return True
-    graph = facts.flow(part)
-    return EXIT in graph.reached(NORMAL, graph.entries)
+    return may_return(facts.flow(part))
 
 
 def _declarations(module: tree.Module) -> list[tree.Node]:

@@ -100,7 +100,11 @@ def drawn(body: str) -> list[str]:
         ("x := f(g(1));", ["0: f(g(1)); g(1); x := f(g(1)) -> RETURN>EXIT"]),
         (
             "a; <SMT> b;",
-            ["0: a; <SMT> -> UNREAD>4 UNREAD>5", "4: b -> RETURN>EXIT", "5:  -> "],
+            [
+                "0: a; <SMT> -> UNREAD>4 UNREAD>5",
+                "4: b -> RETURN>EXIT",
+                "5:  -> UNREAD>EXIT",
+            ],
         ),
         (
             "TEST x CASE 1: a; DEFAULT: RETURN; ENDTEST b;",

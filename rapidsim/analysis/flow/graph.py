@@ -95,15 +95,15 @@ class ControlFlowGraph:
         Args:
             kinds: The edges to follow.
             starts: The blocks to begin with.
-            stops: Whether control never continues past a step.
+            stops: Whether control never continues past a step, unless the step fails.
         """
         seen, stack = set(starts), list(starts)
         while stack:
             block = self.blocks[stack.pop()]
-            if stops is not None and any(map(stops, block.steps)):
-                continue
+            is_end = stops is not None and any(map(stops, block.steps))
+            followed = kinds & ~NORMAL if is_end else kinds
             for edge in block.edges:
-                if edge.kind & kinds and edge.to not in seen:
+                if edge.kind & followed and edge.to not in seen:
                     seen.add(edge.to)
                     stack.append(edge.to)
         return seen

@@ -19,7 +19,7 @@ from rapidsim.analysis.passes.flow_violations import (
     ReturnValue,
     UnreachableCode,
 )
-from rapidsim.analysis.program import Symbol, does
+from rapidsim.analysis.program import Symbol, control_flow, does
 from rapidsim.analysis.syntax_violations import LateDataDeclaration
 from rapidsim.analysis.tree_walk import blocks, clauses, statements
 from rapidsim.diagnostics import Related
@@ -64,7 +64,7 @@ def check_flow(routine: tree.Routine, context: Context) -> None:
         for body in clauses(routine):
             _check_next_turns(body, context)
     if traits & _TRANSFERRING or not kinds.isdisjoint(_TRANSFERS):
-        graph = context.analysis.flow(routine)
+        graph = control_flow(context.analysis, routine)
         reached = graph.reached(_MAY_FOLLOW, graph.entries)
         for body in clauses(routine):
             _check_reached(body, graph, reached, context)
@@ -138,7 +138,7 @@ def _check_returns(routine: tree.Routine, context: Context) -> None:
                 context.report(ReturnValue(problem, cure, gives_value=True), node)
             case _:
                 pass
-    if isinstance(routine, tree.Func) and _can_complete(context.analysis.flow(routine)):
+    if isinstance(routine, tree.Func) and _can_complete(control_flow(context.analysis, routine)):
         closing = tree.Node(max(routine.start, routine.end - len("ENDFUNC")), routine.end)
         context.report(
             MissingReturn(routine.name.text, routine.type.text),
@@ -149,7 +149,7 @@ def _check_returns(routine: tree.Routine, context: Context) -> None:
     if handler is not None and not any(depends_on_error(one) for one in statements(handler.body)):
         # A clause that selects by ERRNO may be complete for the errors that occur.
         assert isinstance(routine, tree.Func)
-        graph = context.analysis.flow(routine)
+        graph = control_flow(context.analysis, routine)
         if graph.handler is not None and _can_complete(graph, graph.handler):
             missing = MissingReturn(routine.name.text, routine.type.text, is_clause=True)
             context.report(missing, handler)
