@@ -35,11 +35,12 @@ def walk_program(program: Program) -> WalkedProgram:
     walker = AbstractInterpreter(program, effects, runs)
     if written:
         walker.walk_all()
-    met = {known.call for known in walker.moves} | walker.unknown.keys()
+    record = walker.record
+    met = {known.call for known in record.moves} | record.unknown.keys()
     for call, _ in written:
         if call not in met:
-            walker.unknown[call] = walker.unreached.get(call, TOO_LONG)
-    if not runs.keys() <= met or runs.keys() & (walker.unknown.keys() | walker.unreached.keys()):
+            record.unknown[call] = record.unreached.get(call, TOO_LONG)
+    if not runs.keys() <= met or runs.keys() & (record.unknown.keys() | record.unreached.keys()):
         raise RunNotFollowedError
     settings_set = effects.everything.settings if written else frozenset()
-    return WalkedProgram(written, tuple(walker.moves), walker.unknown, settings_set)
+    return WalkedProgram(written, tuple(record.moves), record.unknown, settings_set)

@@ -46,7 +46,7 @@ def joined(states: Iterable[State]) -> State:
     """Join the states of several paths; those that end before are ignored.
 
     If all of them end before, the data keep their values at the ends: the statements that follow
-    are examined, too, and a label may be reached by GOTO.
+    are examined, too.
     """
     every = list(states)
     first, *others = [way for way in every if way.alive] or every
@@ -72,3 +72,11 @@ class AbstractFrame:
     routine: RoutineSymbol
     returns: list[State] = field(default_factory=list)
     results: list[Known] = field(default_factory=list)
+    jumps: dict[str, State] = field(default_factory=dict)
+    """States that GOTO has sent to labels ahead, by folded label."""
+    aside: int = 0
+    """Above 0 while interpreting statements of the routine that the current path does not reach."""
+
+    def jump(self, label: str, state: State) -> None:
+        """Send a state to a label ahead."""
+        self.jumps[label] = joined([self.jumps[label], state] if label in self.jumps else [state])
