@@ -45,6 +45,9 @@ KNOWN = {
     "written in a loop": "FOR i FROM 1 TO 2 DO n:=n+i; MoveJ Offs(p,n,0,0),v50,z1,tool0; ENDFOR",
     "displaced": "PDispSet [[0,0,9],[1,0,0,0]]; MoveJ p,v500,fine,tool0; PDispOff;",
     "dead": "RETURN; MoveJ p,v500,fine,tool0;",
+    "label": "n:=5; IF TestDI(di1) GOTO on; n:=5; on: MoveJ Offs(p,n,0,0),v500,fine,tool0; n:=6;",
+    "jump back": "again: n:=5; MoveJ Offs(p,n,0,0),v500,fine,tool0; IF TestDI(di1) GOTO again;",
+    "another case": "TEST n CASE 3: n:=4; CASE 4: MoveJ p,v500,fine,tool0; ENDTEST",
     "incremented": "Incr n; Add n,2; MoveJ Offs(p,n,0,0),v500,fine,tool0;",
 }
 
@@ -64,6 +67,14 @@ BY_CALL = {
     "reference": (
         "VAR num x; set_ x; MoveJ Offs(p,x,0,0),v50,fine,tool0;",
         "PROC set_(INOUT num x) x:=7; ENDPROC",
+    ),
+    "server": (
+        "n:=1; IF n=2 serve; MoveJ Offs(p,n,0,0),v50,fine,tool0;",
+        "PROC serve() WHILE TRUE DO n:=n+1; IF TestDI(di1) EXIT; ENDWHILE ENDPROC",
+    ),
+    "server on some path": (
+        "n:=1; IF TestDI(di1) ping; MoveJ Offs(p,n,0,0),v50,fine,tool0;",
+        "PROC ping() n:=n+1; pong; ENDPROC PROC pong() n:=n+1; ping; ENDPROC",
     ),
     "never called": ("n:=1;", "PROC spare() MoveJ p,v50,fine,tool0; ENDPROC"),
     "handler": ("n:=1;", "PROC spare() n:=2; ERROR MoveJ p,v50,fine,tool0; RETURN; ENDPROC"),

@@ -1,10 +1,10 @@
 """Abstract interpreter of a program, which collects the moves whose arguments are static.
 
-Calls are followed from main with their arguments, so a move is known together with its predecessor.
-Both branches of an unknown condition are interpreted; a loop with known bounds is executed
-iteration by iteration, any other once from its entry and once for all further iterations. Routines
-without a caller are entries, too. Values that may have been overwritten are forgotten, never
-guessed.
+Calls are followed from main with their arguments, so a move is known with its predecessor. Both
+branches of an unknown condition are interpreted; a loop with known bounds is executed
+iteration by iteration, any other once from its entry and once for all further iterations. Jumps
+are those of the control-flow graph. Routines without a caller are entries, too. Values that may
+have been overwritten are forgotten, never guessed.
 """
 
 from __future__ import annotations
@@ -47,7 +47,7 @@ MOST_STATEMENTS = 100_000
 MOST_ROUNDS = 2000
 """Largest number of iterations that are interpreted, for a loop with moves."""
 MOST_IDLE_ROUNDS = 100
-"""Largest number of iterations that are interpreted, for a loop without moves."""
+"""The same for a loop without moves."""
 DEEPEST_CALL = 12
 ENTRY = "main"
 
@@ -90,8 +90,7 @@ class AbstractInterpreter:
 
     def walk_all(self) -> None:
         """Interpret main first, then routines that nothing calls, then the rest."""
-        main = self.program.routines.get(ENTRY)
-        if main is not None:
+        if (main := self.program.routines.get(ENTRY)) is not None:
             self._from_start = True
             self._walk_alone(main, State(last=BEGINNING))
             self._from_start = False
@@ -234,10 +233,10 @@ class AbstractInterpreter:
                 self._arrive(statement)
             elif not self.state.alive and not self._resume(statement):
                 if position >= looked_at:
-                    ahead = range(position, len(body))
-                    labels = (k for k in ahead if isinstance(body[k], tree.Label))
-                    looked_at = next(labels, len(body))
-                    self._walk_aside(body[position:looked_at], ())
+                    rest = enumerate(body[position:], position)
+                    ahead = (k for k, one in rest if isinstance(one, tree.Label))
+                    looked_at = next(ahead, len(body))
+                    self._walk_aside(body[position:looked_at], None)
                 continue
             self._steps_remaining -= 1
             self._statement(statement)
@@ -246,44 +245,41 @@ class AbstractInterpreter:
         """Join the states that come to a label, from above and by GOTO."""
         frame = self._stack[-1]
         jumps = self._jumps.of(frame.routine)
-        arrived = frame.jumps.pop(label.name.key, None)
-        if arrived is not None:
-            self.state = joined([arrived, self.state])
+        self.state = frame.arriving(label.name.key, self.state)
         if self.state.alive and not frame.aside and self._steps_remaining >= 0:
-            repeated = jumps.repeated(label)
-            if repeated is not None:
-                self._forget_effects(repeated, _IN_LOOP)
+            self._forget_effects(jumps.repeated(label), _IN_LOOP)
         elif self.state.alive or jumps.is_reached(label):
-            # From below, or not all states have come here that may come.
+            # From below, or not all states have come that may come.
             self._enter_anywhere(_IN_LOOP)
 
     def _resume(self, statement: tree.Statement) -> bool:
         """Continue at a statement that only a path through an ERROR clause reaches."""
-        is_resumed = self._jumps.of(self._stack[-1].routine).is_resumed(statement)
-        if is_resumed:
+        if self._jumps.of(self._stack[-1].routine).is_resumed(statement):
             self._enter_anywhere(_ELSEWHERE)
-        return is_resumed
+        return self.state.alive
 
     def _enter_anywhere(self, reason: str) -> None:
         """Forget whatever the routine may have done before the next statement."""
         self.state.alive = True
         self._forget_effects(self.effects.of_routine(self._stack[-1].routine), reason)
 
-    def _walk_aside(self, body: tree.Body, decided_by: Iterable[tree.Expression]) -> None:
+    def _walk_aside(self, body: tree.Body, decided_by: Iterable[tree.Expression] | None) -> None:
         """Collect the moves of statements that the path skips.
 
         Args:
             body: The statements.
-            decided_by: Conditions that decided on the skip; the data in them are forgotten.
+            decided_by: Conditions that decided on the skip; the data in them are forgotten. None
+                forgets all that the routine writes.
         """
         if not body or id(body[0]) in self._aside or not self._effects_of(body).moves:
             return
         self._aside.add(id(body[0]))
         kept, frame = self.state, self._stack[-1]
         self.state = State(dict(kept.values), kept.settings, None)
-        if not kept.alive:
+        if decided_by is None:
             self._enter_anywhere(_ELSEWHERE)
-        self.state.forget(self.effects.variables_in(decided_by), _WAY)
+        else:
+            self.state.forget(self.effects.variables_in(decided_by), _WAY)
         frame.aside += 1
         self._execute(body)
         frame.aside -= 1
@@ -365,7 +361,7 @@ class AbstractInterpreter:
     def _test(self, test: tree.Test) -> None:
         subject = self._evaluator.value(test.subject)
         ends: list[State] = []
-        for case in test.cases:
+        for position, case in enumerate(test.cases):
             values = [self._evaluator.value(value) for value in case.values]
             open_ = isinstance(subject, NotStatic) or any(isinstance(v, NotStatic) for v in values)
             if not open_ and subject not in values:
@@ -376,6 +372,10 @@ class AbstractInterpreter:
             ends.append(self.state)
             self.state = entry
             if not open_:
+                # Often the code of a message: any other comes after any number of messages.
+                for other in test.cases[position + 1 :]:
+                    self._walk_aside(other.body, None)
+                self._walk_aside(test.default or (), None)
                 break
         else:
             self._execute(test.default or ())

@@ -29,7 +29,7 @@ class RoutineJumps:
     routine: RoutineSymbol
     graph: ControlFlowGraph
     effects: ProgramEffects
-    _repeated: dict[tree.Label, Effects | None] = field(default_factory=dict)
+    _repeated: dict[tree.Label, Effects] = field(default_factory=dict)
 
     def is_forward(self, jump: tree.Goto) -> bool:
         """Whether a jump leads to a label behind it in the text."""
@@ -43,13 +43,13 @@ class RoutineJumps:
         """Whether control may come to a statement after an error before it."""
         return self.graph.block_of[statement] in self._resumed
 
-    def repeated(self, label: tree.Label) -> Effects | None:
-        """Return the effects of what is executed before a jump back to a label; None for none."""
+    def repeated(self, label: tree.Label) -> Effects:
+        """Return the effects of what may be executed between a label and a jump back to it."""
         if label not in self._repeated:
             self._repeated[label] = self._effects_before_jumps(label)
         return self._repeated[label]
 
-    def _effects_before_jumps(self, label: tree.Label) -> Effects | None:
+    def _effects_before_jumps(self, label: tree.Label) -> Effects:
         graph = self.graph
         head = graph.block_of[label]
         ends = [
@@ -58,9 +58,7 @@ class RoutineJumps:
             for edge in block.edges
             if edge.to == head and _is_jump_back(edge, label)
         ]
-        if not ends:
-            return None
-        loop = graph.loop(head, ends)
+        loop = graph.loop(head, ends) if ends else ()
         if loop is None:
             return self.effects.of_routine(self.routine)
         return self.effects.of_bodies(

@@ -79,4 +79,9 @@ class AbstractFrame:
 
     def jump(self, label: str, state: State) -> None:
         """Send a state to a label ahead."""
-        self.jumps[label] = joined([self.jumps[label], state] if label in self.jumps else [state])
+        self.jumps[label] = self.arriving(label, state).copy()
+
+    def arriving(self, label: str, state: State) -> State:
+        """Return the join of a state with those sent to a label, which are then no longer kept."""
+        sent = self.jumps.pop(label, None)
+        return state if sent is None else joined([sent, state])
