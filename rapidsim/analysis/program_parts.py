@@ -7,11 +7,12 @@ once, so that thirty rules do not traverse the tree thirty times.
 from __future__ import annotations
 
 import re
+from bisect import bisect_left
 from collections import defaultdict
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property, reduce
-from operator import or_
+from operator import attrgetter, or_
 from typing import Any, TypeVar
 
 from rapidsim.analysis.context import Analysis
@@ -29,6 +30,7 @@ N = TypeVar("N", bound=tree.Node)
 V = TypeVar("V")
 ENTRY = "main"
 _WORD = re.compile(r"\w+")
+_start = attrgetter("start")
 
 
 @dataclass(frozen=True, eq=False)
@@ -52,6 +54,15 @@ class ProgramPart:
     def all(self, kind: type[N]) -> Sequence[N]:
         """The nodes of one class, in source order."""
         return self.nodes.get(kind, ())  # type: ignore[return-value]
+
+    def inside(self, body: tree.Body, *kinds: type[N]) -> Iterator[N]:
+        """Yield the nodes of some classes in a statement list of this part, class by class."""
+        if body:
+            start, end = body[0].start, body[-1].end
+            for kind in kinds:
+                nodes = self.all(kind)
+                first = bisect_left(nodes, start, key=_start)
+                yield from nodes[first : bisect_left(nodes, end, first, key=_start)]
 
     def finding(
         self, violation: Violation, node: tree.Node, *related: Related, fix: Fix | None = None

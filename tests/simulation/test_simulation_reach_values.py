@@ -241,7 +241,7 @@ def test_every_move_of_a_run_is_among_those_known(main: str, go: str) -> None:
     loaded = load([SourceFile("cell.mod", text, "utf-8")])
     assert loaded.program is not None, [d.violation.message for d in loaded.diagnostics]
     walked = walk_program(loaded.program)
-    run = simulate(loaded.program, arm(), options=RunOptions(max_time_s=60.0))
+    run = simulate(loaded.program, arm(), options=RunOptions(max_time_s=20.0))
     ways: dict[int, set[object]] = {}
     for known in walked.moves:
         before = None if known.previous is None else walked.moves[known.previous].move
