@@ -15,6 +15,7 @@ from rapidsim.analysis.flow.graph import ControlFlowGraph
 from rapidsim.analysis.parameters import Callee, ExpectedType
 from rapidsim.analysis.program import RoutineSymbol, Symbol, UnknownSymbol
 from rapidsim.analysis.suggestions import closest
+from rapidsim.analysis.tree_walk import NodesByKind, nodes_by_kind
 from rapidsim.diagnostics import Diagnostic, Edit, Fix, Related, Span, Violation
 from rapidsim.language.types import Type
 from rapidsim.syntax import tree
@@ -108,6 +109,9 @@ class Analysis:
     graph_of: dict[tree.Node, ControlFlowGraph] = field(default_factory=dict)
     """Control-flow graphs of routines: see `control_flow`."""
 
+    nodes: dict[tree.Node, NodesByKind] = field(default_factory=dict)
+    """Nodes of routines by class: see `nodes_of`."""
+
     nearest: dict[tuple[object, ...], str | None] = field(default_factory=dict)
     """Nearest known name by unknown name and scope."""
 
@@ -126,6 +130,13 @@ class Analysis:
                 return None
             self.nearest[key] = closest(name.text, candidates)
         return self.nearest[key]
+
+    def nodes_of(self, routine: tree.Routine) -> NodesByKind:
+        """Return the nodes of a routine by class, listed once for all passes and rules."""
+        nodes = self.nodes.get(routine)
+        if nodes is None:
+            nodes = self.nodes[routine] = nodes_by_kind(routine)
+        return nodes
 
     def may_be_unread(self, key: str) -> bool:
         """Whether a folded name occurs in text that the parser could not read."""

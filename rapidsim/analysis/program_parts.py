@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import re
 from bisect import bisect_left
-from collections import defaultdict
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property, reduce
@@ -20,7 +19,7 @@ from rapidsim.analysis.flow.graph import ControlFlowGraph
 from rapidsim.analysis.flow.returning import may_return, returning
 from rapidsim.analysis.flow.summaries import components, summarise
 from rapidsim.analysis.program import LibrarySymbol, RoutineSymbol, Symbol, control_flow, does
-from rapidsim.analysis.tree_walk import descendants
+from rapidsim.analysis.tree_walk import NodesByKind, nodes_by_kind
 from rapidsim.diagnostics import Diagnostic, Fix, Related, Span, Violation
 from rapidsim.library.table import LibraryRoutine
 from rapidsim.library.traits import Trait
@@ -39,7 +38,7 @@ class ProgramPart:
 
     module: tree.Module
     routine: tree.Routine | None
-    nodes: Mapping[type[tree.Node], Sequence[tree.Node]]
+    nodes: NodesByKind
     memo: dict[object, Any] = field(default_factory=dict)
     """Results of functions of this part alone, by function: see `Facts.of_part`."""
 
@@ -48,12 +47,12 @@ class ProgramPart:
         vars(self).pop("names", None)
         vars(self).pop("words", None)
         roots = _declarations(self.module) if self.routine is None else [self.routine]
-        vars(self)["nodes"] = _by_kind(roots)
+        vars(self)["nodes"] = nodes_by_kind(*roots)
         self.memo.clear()
 
     def all(self, kind: type[N]) -> Sequence[N]:
         """The nodes of one class, in source order."""
-        return self.nodes.get(kind, ())  # type: ignore[return-value]
+        return self.nodes.all(kind)
 
     def inside(self, body: tree.Body, *kinds: type[N]) -> Iterator[N]:
         """Yield the nodes of some classes in a statement list of this part, class by class."""
@@ -172,7 +171,8 @@ class Facts:
             for module in file.modules:
                 parts.append(heads[module])
                 parts += (
-                    self.part_of.get(routine) or ProgramPart(module, routine, _by_kind([routine]))
+                    self.part_of.get(routine)
+                    or ProgramPart(module, routine, self.analysis.nodes_of(routine))
                     for routine in module.routines
                 )
         vars(facts)["parts"] = tuple(parts)
@@ -189,9 +189,9 @@ class Facts:
         )
 
     def _parts_of(self, module: tree.Module) -> Iterator[ProgramPart]:
-        yield ProgramPart(module, None, _by_kind(_declarations(module)))
+        yield ProgramPart(module, None, nodes_by_kind(*_declarations(module)))
         for routine in module.routines:
-            yield ProgramPart(module, routine, _by_kind([routine]))
+            yield ProgramPart(module, routine, self.analysis.nodes_of(routine))
 
     @cached_property
     def routine_parts(self) -> tuple[ProgramPart, ...]:
@@ -350,10 +350,3 @@ def _may_return(part: ProgramPart, facts: Facts) -> bool:
 def _declarations(module: tree.Module) -> list[tree.Node]:
     """The items of a module that are no routines."""
     return [item for item in module.items if not isinstance(item, tree.RoutineNode)]
-
-
-def _by_kind(roots: Sequence[tree.Node]) -> Mapping[type[tree.Node], Sequence[tree.Node]]:
-    found: dict[type[tree.Node], list[tree.Node]] = defaultdict(list)
-    for node in descendants(*roots):
-        found[type(node)].append(node)
-    return dict(found)
