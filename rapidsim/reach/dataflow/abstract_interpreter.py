@@ -33,10 +33,10 @@ from rapidsim.library.traits import Trait
 from rapidsim.reach.dataflow.bulk_moves import Runs
 from rapidsim.reach.dataflow.controller_stub import ControllerStub
 from rapidsim.reach.dataflow.data_places import empty_data, replaced
-from rapidsim.reach.dataflow.jumps import Jumps
+from rapidsim.reach.dataflow.jumps import ProgramJumps
 from rapidsim.reach.dataflow.known_values import evaluator_of
 from rapidsim.reach.dataflow.motion_settings import DISPLACEMENTS, KnownSettings
-from rapidsim.reach.dataflow.move_record import MoveRecord
+from rapidsim.reach.dataflow.move_table import MoveTable
 from rapidsim.reach.dataflow.side_effects import Effects, ProgramEffects, root_of
 from rapidsim.reach.dataflow.state import BEGINNING, AbstractFrame, State, joined
 from rapidsim.reach.dataflow.transfer_functions import InstructionEffect, perform
@@ -47,7 +47,7 @@ MOST_STATEMENTS = 100_000
 MOST_ROUNDS = 2000
 """Largest number of iterations that are interpreted, for a loop with moves."""
 MOST_IDLE_ROUNDS = 100
-"""The same for a loop without moves."""
+"""Largest number for a loop without moves."""
 DEEPEST_CALL = 12
 ENTRY = "main"
 
@@ -75,16 +75,16 @@ class AbstractInterpreter:
     """Effects by identity, with the bodies: some are slices of others, and must stay alive."""
     _turns: list[list[State]] = field(default_factory=list)
     """For each active loop, the states at which CONTINUE ended its iteration."""
-    _aside: set[int] = field(default_factory=set)
-    """Statements with which interpretation aside from the path has begun, by identity."""
+    _off_path: set[int] = field(default_factory=set)
+    """Statements with which interpretation off the path has begun, by identity."""
     _from_start: bool = False
     """Whether data not written on the current path certainly have their initial values."""
     _steps_remaining: int = MOST_STATEMENTS
 
     def __post_init__(self) -> None:
         self._evaluator = evaluator_of(self.program, self)
-        self._jumps = Jumps(self.program, self.effects)
-        self.record = MoveRecord(self.runs)
+        self._jumps = ProgramJumps(self.program, self.effects)
+        self.table = MoveTable(self.runs)
 
     # --- routines
 
@@ -236,7 +236,7 @@ class AbstractInterpreter:
                     rest = enumerate(body[position:], position)
                     ahead = (k for k, one in rest if isinstance(one, tree.Label))
                     looked_at = next(ahead, len(body))
-                    self._walk_aside(body[position:looked_at], None)
+                    self._walk_off_path(body[position:looked_at], None)
                 continue
             self._steps_remaining -= 1
             self._statement(statement)
@@ -246,7 +246,7 @@ class AbstractInterpreter:
         frame = self._stack[-1]
         jumps = self._jumps.of(frame.routine)
         self.state = frame.arriving(label.name.key, self.state)
-        if self.state.alive and not frame.aside and self._steps_remaining >= 0:
+        if self.state.alive and not frame.off_path and self._steps_remaining >= 0:
             self._forget_effects(jumps.repeated(label), _IN_LOOP)
         elif self.state.alive or jumps.is_reached(label):
             # From below, or not all states have come that may come.
@@ -263,7 +263,7 @@ class AbstractInterpreter:
         self.state.alive = True
         self._forget_effects(self.effects.of_routine(self._stack[-1].routine), reason)
 
-    def _walk_aside(self, body: tree.Body, decided_by: Iterable[tree.Expression] | None) -> None:
+    def _walk_off_path(self, body: tree.Body, decided_by: Iterable[tree.Expression] | None) -> None:
         """Collect the moves of statements that the path skips.
 
         Args:
@@ -271,18 +271,18 @@ class AbstractInterpreter:
             decided_by: Conditions that decided on the skip; the data in them are forgotten. None
                 forgets all that the routine writes.
         """
-        if not body or id(body[0]) in self._aside or not self._effects_of(body).moves:
+        if not body or id(body[0]) in self._off_path or not self._effects_of(body).moves:
             return
-        self._aside.add(id(body[0]))
+        self._off_path.add(id(body[0]))
         kept, frame = self.state, self._stack[-1]
         self.state = State(dict(kept.values), kept.settings, None)
         if decided_by is None:
             self._enter_anywhere(_ELSEWHERE)
         else:
             self.state.forget(self.effects.variables_in(decided_by), _WAY)
-        frame.aside += 1
+        frame.off_path += 1
         self._execute(body)
-        frame.aside -= 1
+        frame.off_path -= 1
         self.state = kept
 
     def _statement(self, statement: tree.Statement) -> None:
@@ -322,7 +322,7 @@ class AbstractInterpreter:
     def _return(self, value: tree.Expression | None) -> None:
         result = None if value is None else self._evaluator.value(value)
         frame = self._stack[-1]
-        if not frame.aside:
+        if not frame.off_path:
             frame.returns.append(self.state.copy())
             frame.results.append(result)
         self.state.alive = False
@@ -330,7 +330,7 @@ class AbstractInterpreter:
     def _jump(self, jump: tree.Goto) -> None:
         frame = self._stack[-1]
         # A jump back is foreseen at its label.
-        if not frame.aside and self._jumps.of(frame.routine).is_forward(jump):
+        if not frame.off_path and self._jumps.of(frame.routine).is_forward(jump):
             frame.jump(jump.name.key, self.state)
         self.state.alive = False
 
@@ -342,7 +342,7 @@ class AbstractInterpreter:
         for position, (condition, body) in enumerate(branches):
             known = self._evaluator.value(condition)
             if known is False:
-                self._walk_aside(body, [condition])
+                self._walk_off_path(body, [condition])
                 continue
             entry = self.state.copy()
             self._execute(body)
@@ -350,8 +350,8 @@ class AbstractInterpreter:
             self.state = entry
             if known is True:
                 for _, other in branches[position + 1 :]:
-                    self._walk_aside(other, [condition])
-                self._walk_aside(else_body, [condition])
+                    self._walk_off_path(other, [condition])
+                self._walk_off_path(else_body, [condition])
                 break
         else:
             self._execute(else_body)
@@ -365,7 +365,7 @@ class AbstractInterpreter:
             values = [self._evaluator.value(value) for value in case.values]
             open_ = isinstance(subject, NotStatic) or any(isinstance(v, NotStatic) for v in values)
             if not open_ and subject not in values:
-                self._walk_aside(case.body, [test.subject])
+                self._walk_off_path(case.body, [test.subject])
                 continue
             entry = self.state.copy()
             self._execute(case.body)
@@ -374,8 +374,8 @@ class AbstractInterpreter:
             if not open_:
                 # Often the code of a message: any other comes after any number of messages.
                 for other in test.cases[position + 1 :]:
-                    self._walk_aside(other.body, None)
-                self._walk_aside(test.default or (), None)
+                    self._walk_off_path(other.body, None)
+                self._walk_off_path(test.default or (), None)
                 break
         else:
             self._execute(test.default or ())
@@ -412,7 +412,7 @@ class AbstractInterpreter:
     def _while(self, condition: tree.Expression, body: tree.Body) -> None:
         known = self._evaluator.value(condition)
         if known is False:
-            self._walk_aside(body, [condition])
+            self._walk_off_path(body, [condition])
             return
         constant = not self.effects.variables_in([condition])
         self._repeat(body, surely=known is True, endless=known is True and constant)
@@ -451,7 +451,7 @@ class AbstractInterpreter:
             case LibrarySymbol(routine=routine) if Trait.CALL_BY_NAME in routine.traits:
                 self._forget_effects(self.effects.everything, _BY_CALL)
             case LibrarySymbol(routine=routine) if Trait.NEXT_TURN in routine.traits:
-                if self._turns and not self._stack[-1].aside:
+                if self._turns and not self._stack[-1].off_path:
                     self._turns[-1].append(self.state.copy())
                 self.state.alive = False
             case LibrarySymbol(routine=routine):
@@ -487,13 +487,13 @@ class AbstractInterpreter:
         elif why is None and displaced and not isinstance(moves[0].to, JointTarget):
             why = "a program displacement (PDispOn, EOffsOn and their like) may be in force"
         if why is not None:
-            is_aside = any(frame.aside for frame in self._stack)
-            (self.record.unreached if is_aside else self.record.unknown).setdefault(call, why)
+            is_off_path = any(frame.off_path for frame in self._stack)
+            (self.table.unreached if is_off_path else self.table.unknown).setdefault(call, why)
             self.state.last = None
             return
         if call in self.runs:
             self._steps_remaining -= len(self.runs[call][0])
-        self.state.last = self.record.add(
+        self.state.last = self.table.add(
             call, moves[0], self._stack[-1].routine, self.state.settings, self.state.last
         )
         if Trait.SEARCH in routine.traits:

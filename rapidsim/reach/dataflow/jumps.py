@@ -86,7 +86,7 @@ class RoutineJumps:
 
 
 @value_class(frozen=True, eq=False)
-class Jumps:
+class ProgramJumps:
     """The jumps of a program, and its routines that never return."""
 
     program: Program

@@ -35,12 +35,12 @@ def walk_program(program: Program) -> WalkedProgram:
     walker = AbstractInterpreter(program, effects, runs)
     if written:
         walker.walk_all()
-    record = walker.record
-    met = {known.call for known in record.moves} | record.unknown.keys()
+    table = walker.table
+    met = {known.call for known in table.moves} | table.unknown.keys()
     for call, _ in written:
         if call not in met:
-            record.unknown[call] = record.unreached.get(call, TOO_LONG)
-    if not runs.keys() <= met or runs.keys() & (record.unknown.keys() | record.unreached.keys()):
+            table.unknown[call] = table.unreached.get(call, TOO_LONG)
+    if not runs.keys() <= met or runs.keys() & (table.unknown.keys() | table.unreached.keys()):
         raise RunNotFollowedError
     settings_set = effects.everything.settings if written else frozenset()
-    return WalkedProgram(written, tuple(record.moves), record.unknown, settings_set)
+    return WalkedProgram(written, tuple(table.moves), table.unknown, settings_set)

@@ -74,7 +74,7 @@ class AbstractFrame:
     results: list[Known] = field(default_factory=list)
     jumps: dict[str, State] = field(default_factory=dict)
     """States that GOTO has sent to labels ahead, by folded label."""
-    aside: int = 0
+    off_path: int = 0
     """Above 0 while interpreting statements of the routine that the current path does not reach."""
 
     def jump(self, label: str, state: State) -> None:

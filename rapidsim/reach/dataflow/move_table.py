@@ -14,7 +14,7 @@ from rapidsim.syntax import tree
 
 
 @dataclass(eq=False)
-class MoveRecord:
+class MoveTable:
     """Known moves, and the reasons why others are unknown."""
 
     runs: Runs
