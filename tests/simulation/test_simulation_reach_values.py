@@ -157,7 +157,8 @@ def blocks(inner: st.SearchStrategy[str]) -> st.SearchStrategy[str]:
             lambda s: f"FOR i FROM 1 TO {s[0]} DO {s[1]} ENDFOR"
         ),
         st.tuples(data, st.integers(1, 2), inner).map(
-            lambda s: f"k:=0; WHILE k<{s[1]} DO k:=k+1; {s[2]} {s[0]}:=k; ENDWHILE"
+            # A loop inside may count with the same variable; the other one is never reset.
+            lambda s: f"k:=0; WHILE k<{s[1]} AND u<30 DO k:=k+1; u:=u+1; {s[2]} {s[0]}:=k; ENDWHILE"
         ),
         st.tuples(expressions, inner, inner).map(
             lambda s: f"TEST {s[0]} CASE 0,1: {s[1]} DEFAULT: {s[2]} ENDTEST"
@@ -198,6 +199,7 @@ PROGRAM = """MODULE cell
   VAR num n:=0;
   VAR num k;
   VAR num t;
+  VAR num u;
   PROC main()
     {main}
   ENDPROC
