@@ -6,16 +6,16 @@ An `Analysis` lasts for one check; a `Context` is the scope that a pass is analy
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import field, replace
 from typing import TypeAlias
 
 from rapidsim.analysis.cell_names import NO_CELL, CellNames
-from rapidsim.analysis.flow.build import build_graph
 from rapidsim.analysis.flow.graph import ControlFlowGraph
 from rapidsim.analysis.parameters import Callee, ExpectedType
-from rapidsim.analysis.program import RoutineSymbol, Symbol, UnknownSymbol, does
+from rapidsim.analysis.program import RoutineSymbol, Symbol, UnknownSymbol
 from rapidsim.analysis.suggestions import closest
+from rapidsim.analysis.tree_walk import NodesByKind, nodes_by_kind
 from rapidsim.diagnostics import Diagnostic, Edit, Fix, Related, Span, Violation
 from rapidsim.language.types import Type
 from rapidsim.syntax import tree
@@ -107,7 +107,10 @@ class Analysis:
     """Expected type of such a use, if known: not all signals have a typical name."""
 
     graph_of: dict[tree.Node, ControlFlowGraph] = field(default_factory=dict)
-    """Control-flow graphs of routines, built on demand by `flow`."""
+    """Control-flow graphs of routines: see `control_flow`."""
+
+    nodes: dict[tree.Node, NodesByKind] = field(default_factory=dict)
+    """Nodes of routines by class: see `nodes_of`."""
 
     nearest: dict[tuple[object, ...], str | None] = field(default_factory=dict)
     """Nearest known name by unknown name and scope."""
@@ -128,21 +131,12 @@ class Analysis:
             self.nearest[key] = closest(name.text, candidates)
         return self.nearest[key]
 
-    def flow(
-        self, routine: tree.Routine, functions: Sequence[tree.FunctionCall] | None = None
-    ) -> ControlFlowGraph:
-        """Return the control-flow graph of a routine.
-
-        Args:
-            routine: A checked routine.
-            functions: The function calls in it, in source order, if they are listed already.
-        """
-        graph = self.graph_of.get(routine)
-        if graph is None:
-            graph = self.graph_of[routine] = build_graph(
-                routine, lambda call: does(self.symbol_of.get(call)), functions
-            )
-        return graph
+    def nodes_of(self, routine: tree.Routine) -> NodesByKind:
+        """Return the nodes of a routine by class, listed once for all passes and rules."""
+        nodes = self.nodes.get(routine)
+        if nodes is None:
+            nodes = self.nodes[routine] = nodes_by_kind(routine)
+        return nodes
 
     def may_be_unread(self, key: str) -> bool:
         """Whether a folded name occurs in text that the parser could not read."""

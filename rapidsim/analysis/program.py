@@ -6,12 +6,14 @@ interpreter need not check again.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import field
 from enum import Enum
-from typing import TypeAlias
+from typing import Protocol, TypeAlias
 
 from rapidsim.analysis.cell_names import NO_CELL, CellNames, ConfiguredSymbol
+from rapidsim.analysis.flow.build import build_graph
+from rapidsim.analysis.flow.graph import ControlFlowGraph
 from rapidsim.language.annotations import ParameterMode
 from rapidsim.language.types import Type
 from rapidsim.library.table import LibraryRoutine
@@ -161,6 +163,8 @@ class Program:
     """Undeclared data by folded name, which fail at their use: the reason why a run ends there;
     None for an error of the controller.
     """
+    graph_of: dict[tree.Node, ControlFlowGraph] = field(default_factory=dict)
+    """Control-flow graphs, those of the check included: see `control_flow`."""
 
     def routine_symbols(self) -> Iterator[RoutineSymbol]:
         """The routines of all modules, in the order of the text."""
@@ -169,3 +173,35 @@ class Program:
                 symbol = self.symbol_of[routine]
                 if isinstance(symbol, RoutineSymbol):
                     yield symbol
+
+
+class FlowTables(Protocol):
+    """The side tables of a check, or a program made from them."""
+
+    @property
+    def symbol_of(self) -> Mapping[tree.Node, Symbol]:
+        """Symbols by node."""
+
+    @property
+    def graph_of(self) -> dict[tree.Node, ControlFlowGraph]:
+        """Control-flow graphs built so far, by routine."""
+
+
+def control_flow(
+    tables: FlowTables,
+    routine: tree.Routine,
+    functions: Sequence[tree.FunctionCall] | None = None,
+) -> ControlFlowGraph:
+    """Return the control-flow graph of a routine, which is built once for all uses.
+
+    Args:
+        tables: Resolves names, and keeps the graph.
+        routine: A checked routine.
+        functions: The function calls in it, in source order, if they are listed already.
+    """
+    graph = tables.graph_of.get(routine)
+    if graph is None:
+        graph = tables.graph_of[routine] = build_graph(
+            routine, lambda call: does(tables.symbol_of.get(call)), functions
+        )
+    return graph

@@ -7,18 +7,19 @@ once, so that thirty rules do not traverse the tree thirty times.
 from __future__ import annotations
 
 import re
-from collections import defaultdict
+from bisect import bisect_left
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property, reduce
-from operator import or_
+from operator import attrgetter, or_
 from typing import Any, TypeVar
 
 from rapidsim.analysis.context import Analysis
-from rapidsim.analysis.flow.graph import EXIT, NORMAL, ControlFlowGraph
+from rapidsim.analysis.flow.graph import ControlFlowGraph
+from rapidsim.analysis.flow.returning import may_return, returning
 from rapidsim.analysis.flow.summaries import components, summarise
-from rapidsim.analysis.program import LibrarySymbol, RoutineSymbol, Symbol, does
-from rapidsim.analysis.tree_walk import descendants
+from rapidsim.analysis.program import LibrarySymbol, RoutineSymbol, Symbol, control_flow, does
+from rapidsim.analysis.tree_walk import NodesByKind, nodes_by_kind
 from rapidsim.diagnostics import Diagnostic, Fix, Related, Span, Violation
 from rapidsim.library.table import LibraryRoutine
 from rapidsim.library.traits import Trait
@@ -28,6 +29,7 @@ N = TypeVar("N", bound=tree.Node)
 V = TypeVar("V")
 ENTRY = "main"
 _WORD = re.compile(r"\w+")
+_start = attrgetter("start")
 
 
 @dataclass(frozen=True, eq=False)
@@ -36,7 +38,7 @@ class ProgramPart:
 
     module: tree.Module
     routine: tree.Routine | None
-    nodes: Mapping[type[tree.Node], Sequence[tree.Node]]
+    nodes: NodesByKind
     memo: dict[object, Any] = field(default_factory=dict)
     """Results of functions of this part alone, by function: see `Facts.of_part`."""
 
@@ -45,12 +47,21 @@ class ProgramPart:
         vars(self).pop("names", None)
         vars(self).pop("words", None)
         roots = _declarations(self.module) if self.routine is None else [self.routine]
-        vars(self)["nodes"] = _by_kind(roots)
+        vars(self)["nodes"] = nodes_by_kind(*roots)
         self.memo.clear()
 
     def all(self, kind: type[N]) -> Sequence[N]:
         """The nodes of one class, in source order."""
-        return self.nodes.get(kind, ())  # type: ignore[return-value]
+        return self.nodes.all(kind)
+
+    def inside(self, body: tree.Body, *kinds: type[N]) -> Iterator[N]:
+        """Yield the nodes of some classes in a statement list of this part, class by class."""
+        if body:
+            start, end = body[0].start, body[-1].end
+            for kind in kinds:
+                nodes = self.all(kind)
+                first = bisect_left(nodes, start, key=_start)
+                yield from nodes[first : bisect_left(nodes, end, first, key=_start)]
 
     def finding(
         self, violation: Violation, node: tree.Node, *related: Related, fix: Fix | None = None
@@ -160,7 +171,8 @@ class Facts:
             for module in file.modules:
                 parts.append(heads[module])
                 parts += (
-                    self.part_of.get(routine) or ProgramPart(module, routine, _by_kind([routine]))
+                    self.part_of.get(routine)
+                    or ProgramPart(module, routine, self.analysis.nodes_of(routine))
                     for routine in module.routines
                 )
         vars(facts)["parts"] = tuple(parts)
@@ -177,9 +189,9 @@ class Facts:
         )
 
     def _parts_of(self, module: tree.Module) -> Iterator[ProgramPart]:
-        yield ProgramPart(module, None, _by_kind(_declarations(module)))
+        yield ProgramPart(module, None, nodes_by_kind(*_declarations(module)))
         for routine in module.routines:
-            yield ProgramPart(module, routine, _by_kind([routine]))
+            yield ProgramPart(module, routine, self.analysis.nodes_of(routine))
 
     @cached_property
     def routine_parts(self) -> tuple[ProgramPart, ...]:
@@ -224,21 +236,17 @@ class Facts:
     def returning(self) -> Mapping[tree.Routine, bool]:
         """Whether a call of each routine can return; a server with an endless loop cannot."""
 
-        def summary_of(part: ProgramPart, known: Mapping[ProgramPart, bool]) -> bool:
-            def never_returns(node: tree.Node) -> bool:
-                callee = self.callee_of(node)
-                return callee is not None and not known[callee]
+        def can_end(part: ProgramPart) -> bool:
+            return self.of_part(_may_return, part)
 
-            if not self.of_part(_may_return, part):
-                return False
-            if all(known[callee] for callee in self.call_graph[part]):
-                return True
-            is_unread = tree.InvalidStatement in part.nodes
-            graph = self.flow(part)
-            return is_unread or EXIT in graph.reached(NORMAL, graph.entries, never_returns)
-
-        callees = self.call_graph.__getitem__
-        found = summarise(self.routine_parts, callees, False, summary_of, self.components)
+        found = returning(
+            self.routine_parts,
+            self.call_graph.__getitem__,
+            self.callee_of,
+            self.flow,
+            can_end,
+            self.components,
+        )
         return {part.routine: can for part, can in found.items() if part.routine is not None}
 
     def can_return(self, call: tree.Call | tree.FunctionCall) -> bool:
@@ -256,7 +264,7 @@ class Facts:
     def flow(self, part: ProgramPart) -> ControlFlowGraph:
         """The control-flow graph of a routine."""
         assert part.routine is not None
-        return self.analysis.flow(part.routine, part.all(tree.FunctionCall))
+        return control_flow(self.analysis, part.routine, part.all(tree.FunctionCall))
 
     @cached_property
     def moving(self) -> int:
@@ -336,19 +344,9 @@ def _callees(part: ProgramPart, facts: Facts) -> tuple[tree.Routine, ...]:
 
 def _may_return(part: ProgramPart, facts: Facts) -> bool:
     """Whether a routine can return if all its callees do."""
-    if tree.InvalidStatement in part.nodes:
-        return True
-    graph = facts.flow(part)
-    return EXIT in graph.reached(NORMAL, graph.entries)
+    return may_return(facts.flow(part))
 
 
 def _declarations(module: tree.Module) -> list[tree.Node]:
     """The items of a module that are no routines."""
     return [item for item in module.items if not isinstance(item, tree.RoutineNode)]
-
-
-def _by_kind(roots: Sequence[tree.Node]) -> Mapping[type[tree.Node], Sequence[tree.Node]]:
-    found: dict[type[tree.Node], list[tree.Node]] = defaultdict(list)
-    for node in descendants(*roots):
-        found[type(node)].append(node)
-    return dict(found)

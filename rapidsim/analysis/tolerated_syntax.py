@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Mapping
 
 from rapidsim.analysis.context import Context
 from rapidsim.analysis.syntax_violations import (
@@ -18,28 +18,40 @@ from rapidsim.analysis.syntax_violations import (
     UnfinishedCode,
     UnfinishedDeclaration,
 )
-from rapidsim.analysis.tree_walk import descendants
+from rapidsim.analysis.tree_walk import NodesByKind
 from rapidsim.diagnostics import Edit, Fix
 from rapidsim.syntax import tree
 
 # Placeholders of declarations; the others replace statements, expressions and arguments.
 _DECLARATIONS = frozenset({"TDN", "DDN", "RDN", "PAR", "ALT", "DIM"})
-_MARKED = frozenset(
-    {
-        *(tree.Assignment, tree.Data, tree.Call, tree.Branch, tree.While, tree.Case, tree.Unary),
-        *(tree.LateFunctionCall, tree.ComponentDeclaration, tree.RecordType, tree.Proc, tree.Func),
-        tree.Placeholder,
-    }
-)
-"""The kinds of nodes with marks."""
+_MARKS: Mapping[type[tree.Node], str | None] = {
+    tree.Assignment: "equals_sign",
+    tree.Data: "equals_sign",
+    tree.Call: "in_parentheses",
+    tree.Branch: "then_missing",
+    tree.While: "do_missing",
+    tree.Case: "range_to",
+    tree.LateFunctionCall: None,
+    tree.Unary: "not_after_operator",
+    tree.ComponentDeclaration: "dimensions",
+    tree.RecordType: None,
+    tree.Proc: "parentheses_missing",
+    tree.Func: "parentheses_missing",
+    tree.Placeholder: None,
+}
+"""The fields that mark nodes, by class; None if each node is examined."""
 
 
-def check_lenient_marks(items: Iterable[tree.Item], context: Context) -> None:
-    """Report every lenient mark and placeholder of some items of a module."""
+def check_lenient_marks(nodes: NodesByKind, context: Context) -> None:
+    """Report every lenient mark and placeholder among nodes of a module, listed by class."""
     text = context.module.source.text
-    for node in descendants(*items):
-        if type(node) not in _MARKED:
-            continue
+    marked = [
+        node
+        for kind, mark in _MARKS.items()
+        for node in nodes.all(kind)
+        if mark is None or getattr(node, mark)
+    ]
+    for node in sorted(marked, key=lambda node: (node.start, -node.end)):
         match node:
             case tree.Assignment(equals_sign=True):
                 written = tree.Node(node.operator_start, node.operator_start + 1)

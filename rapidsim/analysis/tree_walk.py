@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 from bisect import bisect_right
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import fields
 from operator import attrgetter
+from typing import TypeVar
 
 from rapidsim.syntax import tree
 
+N = TypeVar("N", bound=tree.Node)
 # Annotations of fields that hold no node, or only names and numbers.
 _WITHOUT_NODES = frozenset(
     {
@@ -97,6 +99,25 @@ def descendants(*roots: tree.Node) -> Iterator[tree.Node]:
                 stack.append(value)
             elif value:
                 stack += [part for part in reversed(value) if isinstance(part, tree.Node)]
+
+
+class NodesByKind(dict[type[tree.Node], list[tree.Node]]):
+    """Nodes by class, each class in source order."""
+
+    def all(self, kind: type[N]) -> Sequence[N]:
+        """Return the nodes of one class."""
+        return self.get(kind, ())  # type: ignore[return-value]
+
+
+def nodes_by_kind(*roots: tree.Node) -> NodesByKind:
+    """Return nodes and their descendants by class."""
+    found = NodesByKind()
+    for node in descendants(*roots):
+        try:
+            found[type(node)].append(node)
+        except KeyError:
+            found[type(node)] = [node]
+    return found
 
 
 def children(node: tree.Node) -> list[tree.Node]:

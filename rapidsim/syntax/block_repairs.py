@@ -17,7 +17,6 @@ from rapidsim.syntax.blocks import (
     ROUTINES,
     OpenBlock,
     closed_blocks,
-    open_blocks,
 )
 from rapidsim.syntax.parse_failure import (
     ParseFailure,
@@ -27,8 +26,8 @@ from rapidsim.syntax.parse_failure import (
     deletion,
     insertion,
 )
-from rapidsim.syntax.recognizer import START, accepts, in_list
-from rapidsim.syntax.spelling import distance
+from rapidsim.syntax.recognizer import accepts, in_list
+from rapidsim.syntax.spelling import distance, near_words
 from rapidsim.syntax.stored_table import rapid_table
 from rapidsim.syntax.table import END
 from rapidsim.syntax.token_repairs import respelling, written_fix
@@ -37,6 +36,10 @@ from rapidsim.syntax.violations import MissingSymbol, StrayBlockWord, UnclosedBl
 _MOST_SLIPS = 2
 _MOST_APART = 8
 """Maximum number of open blocks at one place examined individually; more get one report."""
+_FARTHEST = 2000
+"""Number of tokens before a word in which the line that should open its block is searched, and of
+tokens parsed in the search. Some routines have a hundred thousand.
+"""
 
 
 def unclosed_block(at: ParseFailure) -> Patch | None:
@@ -45,7 +48,7 @@ def unclosed_block(at: ParseFailure) -> Patch | None:
     index = at.index
     if row.kinds[index] in ITEMS and index and row.kinds[index - 1] == "LOCAL":
         index -= 1  # LOCAL alone could still have begun a declaration
-    blocks = open_blocks(row.kinds, at.module, index)
+    blocks = at.blocks(index)
     wanted = _wanted(row.kinds[at.index])
     if wanted is None or not blocks:
         return None
@@ -64,7 +67,7 @@ def unclosed_block(at: ParseFailure) -> Patch | None:
         return _closing_all(row, inner[::-1], index)
     return (
         _misspelt_closer(at, inner[0], index)
-        or _by_indentation(row, at.module, index, inner)
+        or _by_indentation(row, blocks, index, inner)
         or _closing(row, inner[0], _dedent(row, inner[0], index), index)
     )
 
@@ -89,7 +92,7 @@ def stray_block_word(at: ParseFailure) -> Patch | None:
     return deletion(row, at.index, stop, StrayBlockWord(kind, names))
 
 
-def _cut_short(at: ParseFailure, blocks: list[OpenBlock]) -> Patch:
+def _cut_short(at: ParseFailure, blocks: Sequence[OpenBlock]) -> Patch:
     """Close all blocks that are open at the end of the text or module, with a single report."""
     row = at.row
     start = at.index
@@ -159,26 +162,30 @@ def _is_meant(text: str, word: str) -> bool:
 
 
 def _by_indentation(
-    row: TokenBuffer, start: int, stop: int, inner: list[OpenBlock]
+    row: TokenBuffer, blocks: tuple[OpenBlock, ...], stop: int, inner: list[OpenBlock]
 ) -> Patch | None:
-    """Close a block one of whose words is in the column of an enclosing block."""
-    outermost = inner[-1].index
-    blocks = open_blocks(row.kinds, start, stop)
+    """Close a block one of whose words is in the column of an enclosing block.
+
+    Args:
+        row: The tokens.
+        blocks: The blocks that are open before `stop`, outermost first.
+        stop: The word before which they should have been closed.
+        inner: The blocks that should have been closed: the last of `blocks`, innermost first.
+    """
+    outer = len(blocks) - len(inner)
     candidates = [
         *(
             (c.block, (*c.block.dividers, c.closer), c.around)
-            for c in closed_blocks(row.kinds, start, stop)
+            for c in closed_blocks(row.kinds, inner[-1].index, stop, blocks[:outer])
         ),
-        *((block, block.dividers, tuple(blocks[:depth])) for depth, block in enumerate(blocks)),
+        *((blocks[k], blocks[k].dividers, blocks[:k]) for k in range(outer, len(blocks))),
     ]
     for block, words, around in candidates:
-        if block.index < outermost:
-            continue
         own = row.indent(block.index)
-        outer = {row.indent(o.index) for o in around if o.kind == block.kind}
+        columns = {row.indent(o.index) for o in around if o.kind == block.kind}
         for word in words:
             column = row.column(word)
-            if row.first_on_line(word) and column < own and column in outer:
+            if row.first_on_line(word) and column < own and column in columns:
                 return _closing(row, block, word, word)
     return None
 
@@ -240,22 +247,19 @@ def _closing_lines(row: TokenBuffer, blocks: Sequence[OpenBlock], index: int) ->
 
 def _misspelt_opener(at: ParseFailure, wanted: frozenset[str]) -> Patch | None:
     """Correct a line above that would open the block if one of its words were spelt right."""
-    row = at.row
-    words = rapid_table().words
-    routine = max(
-        (b.index for b in open_blocks(row.kinds, at.module, at.index) if b.kind in ROUTINES),
-        default=at.module,
-    )
-    meant = {*wanted, "THEN"} if "IF" in wanted else set(wanted)
-    for index in range(at.index - 1, routine, -1):
-        if row.kinds[index] != "NAME" or not row.text(index):
+    row, words = at.row, rapid_table().words
+    meant = {*wanted, "THEN"} if "IF" in wanted else wanted
+    routine = max((b.index for b in at.blocks(at.index) if b.kind in ROUTINES), default=at.module)
+    trials = 0
+    for index in range(at.index - 1, max(routine, at.index - _FARTHEST), -1):
+        if row.kinds[index] != "NAME":
             continue
-        near = [w for w in sorted(meant) if 0 < distance(row.text(index).upper(), w) <= _MOST_SLIPS]
-        for word in near:
-            patched = [*row.kinds[at.module : at.index + 1]]
-            patched[index - at.module] = words[word]
-            if accepts(START, patched):
-                return respelling(row, index, index + 1, word)
+        for _, word in near_words(row.text(index)):
+            if word in meant and trials < _FARTHEST:
+                accepted = at.rejected_with(index, index + 1, words[word])
+                if accepted is None:
+                    return respelling(row, index, index + 1, word)
+                trials += accepted
     return None
 
 
@@ -264,16 +268,18 @@ def _missing_then(at: ParseFailure, wanted: frozenset[str]) -> Patch | None:
     row = at.row
     if "IF" not in wanted:
         return None
-    for index in range(at.index - 1, at.module, -1):
-        if row.kinds[index] in ROUTINES:
+    trials = 0
+    for index in range(at.index - 1, max(at.module, at.index - _FARTHEST), -1):
+        if row.kinds[index] in ROUTINES or trials > _FARTHEST:
             return None
         if row.kinds[index] != "IF":
             continue
         stop = row.line_stop(index)
         if row.kinds[stop - 1] == "SEMICOLON" or "THEN" in row.kinds[index:stop]:
             continue
-        kinds = [*row.kinds[at.module : stop], "THEN", *row.kinds[stop : at.index + 1]]
-        if accepts(START, kinds):
+        accepted = at.rejected_with(stop, stop, "THEN")
+        if accepted is None:
             patch = insertion(row, stop, "THEN", MissingSymbol("THEN", "the IF statement"))
             return patch.with_fix(written_fix(row.place_before(stop), row, "THEN"))
+        trials += accepted
     return None

@@ -60,40 +60,70 @@ class ClosedBlock:
     around: tuple[OpenBlock, ...]
 
 
-def open_blocks(kinds: Sequence[str], start: int, stop: int) -> list[OpenBlock]:
-    """Return the blocks that tokens from `start` up to `stop` leave open, outermost first."""
-    blocks: list[OpenBlock] = []
-    for _ in _walk(kinds, start, stop, blocks):
-        pass
-    return blocks
+@value_class(frozen=True, slots=True)
+class Nesting:
+    """The blocks that are open before a token."""
 
-
-def closed_blocks(kinds: Sequence[str], start: int, stop: int) -> Iterator[ClosedBlock]:
-    """Yield the closed blocks, in the order of their closing words."""
-    return _walk(kinds, start, stop, [])
-
-
-def _walk(
-    kinds: Sequence[str], start: int, stop: int, blocks: list[OpenBlock]
-) -> Iterator[ClosedBlock]:
-    # A THEN distinguishes a block IF from a compact one, unless an ELSEIF began its line.
+    blocks: tuple[OpenBlock, ...] = ()
+    """Outermost first."""
     pending_if: int | None = None
+    """Token of the IF whose condition or single statement contains the token."""
+
+
+TOP = Nesting()
+"""Nesting at the beginning of a module."""
+
+
+def nesting(kinds: Sequence[str], start: int, stop: int, before: Nesting = TOP) -> Nesting:
+    """Return the nesting before token `stop`, where that before token `start` is known."""
+    blocks, pending_if = list(before.blocks), before.pending_if
     for index in range(start, stop):
-        kind = kinds[index]
-        if kind == "IF":
-            pending_if = index
-        elif kind == "THEN":
-            if pending_if is not None:
-                blocks.append(OpenBlock("IF", pending_if))
-                pending_if = None
-        elif kind == "SEMICOLON":
-            pending_if = None
-        elif kind in DIVIDERS:
-            pending_if = None
-            if blocks and blocks[-1].kind in DIVIDERS[kind]:
-                blocks[-1] = replace(blocks[-1], dividers=(*blocks[-1].dividers, index))
-        elif kind in CLOSERS:
-            blocks.append(OpenBlock(kind, index))
-        elif kind in OPENERS and blocks and blocks[-1].kind == OPENERS[kind]:
+        if _closes(kinds[index], blocks):
+            blocks.pop()
+        else:
+            pending_if = _read(kinds[index], index, blocks, pending_if)
+    return Nesting(tuple(blocks), pending_if)
+
+
+def closed_blocks(
+    kinds: Sequence[str], start: int, stop: int, around: Sequence[OpenBlock] = ()
+) -> Iterator[ClosedBlock]:
+    """Yield the blocks that tokens from `start` up to `stop` close, in that order.
+
+    Args:
+        kinds: The kinds of the tokens.
+        start: The first token of a statement or declaration.
+        stop: Index after the last token.
+        around: The blocks that are open before `start`.
+    """
+    blocks, pending_if = list(around), None
+    for index in range(start, stop):
+        if _closes(kinds[index], blocks):
             block = blocks.pop()
             yield ClosedBlock(block, index, tuple(blocks))
+        else:
+            pending_if = _read(kinds[index], index, blocks, pending_if)
+
+
+def _closes(kind: str, blocks: Sequence[OpenBlock]) -> bool:
+    return kind in OPENERS and bool(blocks) and blocks[-1].kind == OPENERS[kind]
+
+
+def _read(kind: str, index: int, blocks: list[OpenBlock], pending_if: int | None) -> int | None:
+    """Note a word that opens or divides a block; return the IF that is pending after it."""
+    # A THEN distinguishes a block IF from a compact one, unless an ELSEIF began its line.
+    if kind == "IF":
+        return index
+    if kind == "THEN":
+        if pending_if is not None:
+            blocks.append(OpenBlock("IF", pending_if))
+        return None
+    if kind == "SEMICOLON":
+        return None
+    if kind in DIVIDERS:
+        if blocks and blocks[-1].kind in DIVIDERS[kind]:
+            blocks[-1] = replace(blocks[-1], dividers=(*blocks[-1].dividers, index))
+        return None
+    if kind in CLOSERS:
+        blocks.append(OpenBlock(kind, index))
+    return pending_if

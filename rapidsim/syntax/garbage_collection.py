@@ -14,13 +14,20 @@ _OFTEN = 700
 
 @contextmanager
 def gc_paused() -> Iterator[None]:
-    """Pause the collector, which would traverse a growing tree repeatedly."""
+    """Pause the collector, which would traverse a growing tree repeatedly.
+
+    What was created meanwhile counts as old afterwards, or the next new object would cause a
+    traversal of all of it.
+    """
     was_enabled = gc.isenabled()
     gc.disable()
     try:
         yield
     finally:
         if was_enabled:
+            if not gc.get_freeze_count():
+                gc.freeze()
+                gc.unfreeze()
             gc.enable()
 
 

@@ -8,12 +8,17 @@ change. Inserted tokens have no width, so every offset in the tree remains valid
 from __future__ import annotations
 
 import re
+from bisect import bisect_right
+from collections.abc import Sequence
 from dataclasses import replace
+from itertools import chain
+from operator import attrgetter
 from typing import TypeAlias
 
 from rapidsim.diagnostics import Diagnostic, Fix, Related, Source, Span, Violation
+from rapidsim.syntax.blocks import TOP, Nesting, OpenBlock, nesting
 from rapidsim.syntax.lexer import Tokens
-from rapidsim.syntax.recognizer import accepts
+from rapidsim.syntax.recognizer import accepts, rejected
 from rapidsim.values import value_class
 
 LOOKAHEAD = 6
@@ -95,6 +100,23 @@ class Patch:
         return replace(self, diagnostic=replace(self.diagnostic, fix=fix))
 
 
+@value_class(frozen=True, slots=True)
+class Checkpoint:
+    """State of a parse at the beginning of a statement, declaration or module."""
+
+    index: int
+    """Its first token."""
+    stack: tuple[int, ...]
+    """Parser states before it."""
+    module: int
+    """First token of the module that contains it."""
+    nesting: Nesting = TOP
+    """Blocks of that module that are open before it."""
+
+
+_index = attrgetter("index")
+
+
 @value_class(frozen=True, eq=False, slots=True)
 class ParseFailure:
     """A parse that does not accept the token at `index`."""
@@ -103,17 +125,48 @@ class ParseFailure:
     index: int
     stack: tuple[int, ...]
     """Parser states before that token."""
-    statement: int
-    """First token of the statement, declaration or head that contains it."""
-    statement_stack: tuple[int, ...]
-    """Parser states before `statement`."""
-    module: int
-    """First token of the module that contains it."""
+    checkpoints: Sequence[Checkpoint]
+    """States at the statements so far, the last of which contains the token."""
 
     @property
     def kind(self) -> str:
         """Kind of the token that is not accepted."""
         return self.row.kinds[self.index]
+
+    @property
+    def statement(self) -> int:
+        """First token of the statement, declaration or head that contains it."""
+        return self.checkpoints[-1].index
+
+    @property
+    def statement_stack(self) -> tuple[int, ...]:
+        """Parser states before `statement`."""
+        return self.checkpoints[-1].stack
+
+    @property
+    def module(self) -> int:
+        """First token of the module that contains it."""
+        return self.checkpoints[-1].module
+
+    def checkpoint(self, index: int) -> Checkpoint:
+        """State at the statement that contains an earlier token."""
+        return self.checkpoints[bisect_right(self.checkpoints, index, key=_index) - 1]
+
+    def blocks(self, index: int) -> tuple[OpenBlock, ...]:
+        """Blocks of the module that are open before a token, outermost first."""
+        before = self.checkpoint(index)
+        return nesting(self.row.kinds, before.index, index, before.nesting).blocks
+
+    def rejected_with(self, start: int, stop: int, kind: str) -> int | None:
+        """Try another token in place of some earlier ones.
+
+        Returns:
+            None if the parse then accepts all tokens up to the failing one; else the number of
+            tokens, from the statement with the change on, that it accepts.
+        """
+        before, kinds = self.checkpoint(start), self.row.kinds
+        behind = map(kinds.__getitem__, range(stop, self.index + 1))
+        return rejected(before.stack, chain(kinds[before.index : start], (kind,), behind))
 
     def window(self, start: int) -> list[str]:
         """Kinds of tokens that must parse before a change in front of them is accepted.

@@ -45,13 +45,18 @@ def advance(stack: list[int], kind: str) -> bool:
 
 def accepts(stack: Iterable[int], kinds: Iterable[str]) -> bool:
     """Whether the parser would accept all of these tokens, up to the end of the text."""
+    return rejected(stack, kinds) is None
+
+
+def rejected(stack: Iterable[int], kinds: Iterable[str]) -> int | None:
+    """Return the position of the first token that the parser would not accept; None for none."""
     trial = list(stack)
-    for kind in kinds:
+    for position, kind in enumerate(kinds):
         if not advance(trial, kind):
-            return False
+            return position
         if kind == END:
             break
-    return True
+    return None
 
 
 def in_list(stack: Iterable[int]) -> bool:

@@ -14,10 +14,10 @@ from dataclasses import replace
 
 from rapidsim.diagnostics import Diagnostic, Source
 from rapidsim.syntax.block_repairs import stray_block_word, unclosed_block
-from rapidsim.syntax.blocks import CLOSERS, open_blocks
+from rapidsim.syntax.blocks import CLOSERS, nesting
 from rapidsim.syntax.head_repairs import broken_head, panic, skip_text_between_modules
 from rapidsim.syntax.lexer import Tokens
-from rapidsim.syntax.parse_failure import ParseFailure, Patch, TokenBuffer
+from rapidsim.syntax.parse_failure import Checkpoint, ParseFailure, Patch, TokenBuffer
 from rapidsim.syntax.recognizer import START, advance, in_file, in_list
 from rapidsim.syntax.token_repairs import (
     BLOCK_WORDS,
@@ -36,7 +36,6 @@ from rapidsim.syntax.token_repairs import (
     wrong_token,
 )
 from rapidsim.syntax.violations import BrokenSyntax
-from rapidsim.values import value_class
 
 REPAIRS: tuple[Callable[[ParseFailure], Patch | None], ...] = (
     skip_text_between_modules,
@@ -67,16 +66,6 @@ _BEFORE_STATEMENT = frozenset(
 )
 
 
-@value_class(frozen=True, slots=True)
-class _Checkpoint:
-    """Beginning of a statement, declaration or module."""
-
-    index: int
-    stack: tuple[int, ...]
-    module: int
-    """First token of the module that contains it."""
-
-
 def repaired(tokens: Tokens, source: Source) -> tuple[Tokens, tuple[Diagnostic, ...]]:
     """Make tokens parse.
 
@@ -85,23 +74,22 @@ def repaired(tokens: Tokens, source: Source) -> tuple[Tokens, tuple[Diagnostic, 
     """
     row = TokenBuffer.of(tokens, source)
     diagnostics: list[Diagnostic] = []
-    checkpoints = [_Checkpoint(0, START, 0)]
+    checkpoints = [Checkpoint(0, START, 0)]
     stack = list(START)
     index = 0
     while index < len(row.kinds):
         kind = row.kinds[index]
         if _may_begin(row, index) and index > checkpoints[-1].index:
             if in_file(stack):
-                checkpoints.append(_Checkpoint(index, tuple(stack), index))
+                checkpoints.append(Checkpoint(index, tuple(stack), index))
             elif in_list(stack):
-                checkpoints.append(_Checkpoint(index, tuple(stack), checkpoints[-1].module))
+                last = checkpoints[-1]
+                around = nesting(row.kinds, last.index, index, last.nesting)
+                checkpoints.append(Checkpoint(index, tuple(stack), last.module, around))
         if advance(stack, kind):
             index += 1
             continue
-        latest = checkpoints[-1]
-        situation = ParseFailure(
-            row, index, tuple(stack), latest.index, latest.stack, latest.module
-        )
+        situation = ParseFailure(row, index, tuple(stack), checkpoints)
         if len(diagnostics) == MOST_REPAIRS:
             patch = _give_up(situation)
         else:
@@ -158,7 +146,7 @@ def _apply(row: TokenBuffer, patch: Patch) -> None:
 def _give_up(at: ParseFailure) -> Patch:
     """Drop the rest, and close all open blocks."""
     row = at.row
-    blocks = open_blocks(row.kinds, at.module, at.statement)
+    blocks = at.blocks(at.statement)
     place = row.place_before(at.statement)
     closers = tuple((CLOSERS[block.kind], place, place) for block in reversed(blocks))
     violation = BrokenSyntax("the rest of the file", f"it follows {MOST_REPAIRS} syntax errors")

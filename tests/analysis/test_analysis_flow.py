@@ -5,12 +5,14 @@ A graph is drawn as one line a block that control can enter: its steps, then its
 
 from collections.abc import Mapping
 from pathlib import Path
+from typing import Any
 
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 from laws import some
 
+from rapidsim.analysis import program
 from rapidsim.analysis.flow.build import build_graph
 from rapidsim.analysis.flow.graph import (
     ENDED,
@@ -25,8 +27,13 @@ from rapidsim.analysis.flow.solve import forward
 from rapidsim.analysis.flow.summaries import components, summarise
 from rapidsim.analysis.tree_walk import clauses, statements
 from rapidsim.diagnostics import Source
+from rapidsim.files import SourceFile
+from rapidsim.jobs.checking.check_files import check_tasks
 from rapidsim.library.catalogue import ROUTINES
 from rapidsim.library.traits import NO_TRAITS, Trait
+from rapidsim.module_files import TaskFiles
+from rapidsim.motion.robot.robot import load_robot
+from rapidsim.reach.reach import check_reach
 from rapidsim.syntax import tree
 from rapidsim.syntax.parser import parse
 
@@ -100,7 +107,11 @@ def drawn(body: str) -> list[str]:
         ("x := f(g(1));", ["0: f(g(1)); g(1); x := f(g(1)) -> RETURN>EXIT"]),
         (
             "a; <SMT> b;",
-            ["0: a; <SMT> -> UNREAD>4 UNREAD>5", "4: b -> RETURN>EXIT", "5:  -> "],
+            [
+                "0: a; <SMT> -> UNREAD>4 UNREAD>5",
+                "4: b -> RETURN>EXIT",
+                "5:  -> UNREAD>EXIT",
+            ],
         ),
         (
             "TEST x CASE 1: a; DEFAULT: RETURN; ENDTEST b;",
@@ -130,6 +141,57 @@ def test_every_statement_of_every_program_begins_a_step_of_one_block() -> None:
                 for block in flow.blocks:
                     assert all(0 <= edge.to < len(flow.blocks) for edge in block.edges)
     assert count
+
+
+def test_a_loop_is_what_leads_back_to_its_first_block() -> None:
+    flow, module = graph("a; here: b; IF x THEN c; ELSE RETURN; ENDIF IF y GOTO here; d;")
+    inside = {module.span(one).text for one in flow.block_of if flow.block_of[one] in loop(flow)}
+    assert {"here:", "b", "c"} <= inside
+    assert not {"a", "RETURN", "d"} & inside
+
+
+def test_a_loop_with_two_entries_is_none() -> None:
+    flow, _ = graph("IF x GOTO middle; here: b; middle: c; IF y GOTO here;")
+    assert flow.loop(*head_and_ends(flow)) is None
+
+
+def head_and_ends(flow: ControlFlowGraph) -> tuple[int, list[int]]:
+    """The first label's block, and the blocks with a jump back to it."""
+    label = min((one for one in flow.block_of if isinstance(one, tree.Label)), key=start_of)
+    head = flow.block_of[label]
+    return head, [
+        index
+        for index, block in enumerate(flow.blocks)
+        for edge in block.edges
+        if edge.to == head and edge.kind == EdgeKind.JUMP
+    ]
+
+
+def loop(flow: ControlFlowGraph) -> set[int]:
+    found = flow.loop(*head_and_ends(flow))
+    assert found is not None
+    return found
+
+
+def start_of(node: tree.Node) -> int:
+    return node.start
+
+
+def test_a_check_with_a_run_builds_each_graph_once(monkeypatch: pytest.MonkeyPatch) -> None:
+    built: list[tree.Routine] = []
+
+    def counted(routine: tree.Routine, *others: Any) -> ControlFlowGraph:
+        built.append(routine)
+        return build_graph(routine, *others)
+
+    monkeypatch.setattr(program, "build_graph", counted)
+    text = Path("programs/algorithms.mod").read_text()
+    check_tasks(
+        [TaskFiles("T_ROB1", (SourceFile("m.mod", text, "utf-8"),))],
+        moves=lambda checked, _, *, runs: check_reach(checked, load_robot("irb1600"), run=runs),
+    )
+    assert built
+    assert len(set(built)) == len(built)
 
 
 CALLS = st.dictionaries(st.integers(0, 9), st.frozensets(st.integers(0, 9), max_size=4))

@@ -74,6 +74,12 @@ TEXTS: dict[str, tuple[int, Callable[[int], str]]] = {
     ),
     "deep aggregates": (300, lambda n: module(data=f"CONST num y:={'[' * n}1{']' * n};")),
     "targets": (150, lambda n: module(data=lines(n, f"CONST robtarget p{{n}}:={TARGET};"))),
+    "alternatives without THEN": (40, lambda n: module(lines(n, "IF a\nb;\nELSE\nc;\nENDIF"))),
+    "misspelt THEN": (40, lambda n: module(lines(n, "IF x=1 THNE;\nx:=2;\nELSE\nx:=3;\nENDIF"))),
+    "errors in a long routine": (
+        40,
+        lambda n: module(lines(60 * n, "x:=1;") + "\n" + lines(40, "IF x=1\nx:=2;\nELSE\nENDIF")),
+    ),
     "errors of types": (200, lambda n: module(lines(n, 'x:="a";'))),
     "errors of syntax": (250, lambda n: module(lines(n, "x:=)(;"))),
     "missing semicolons": (250, lambda n: module(lines(n, "x:=1"))),

@@ -45,6 +45,9 @@ KNOWN = {
     "written in a loop": "FOR i FROM 1 TO 2 DO n:=n+i; MoveJ Offs(p,n,0,0),v50,z1,tool0; ENDFOR",
     "displaced": "PDispSet [[0,0,9],[1,0,0,0]]; MoveJ p,v500,fine,tool0; PDispOff;",
     "dead": "RETURN; MoveJ p,v500,fine,tool0;",
+    "label": "n:=5; IF TestDI(di1) GOTO on; n:=5; on: MoveJ Offs(p,n,0,0),v500,fine,tool0; n:=6;",
+    "jump back": "again: n:=5; MoveJ Offs(p,n,0,0),v500,fine,tool0; IF TestDI(di1) GOTO again;",
+    "another case": "TEST n CASE 3: n:=4; CASE 4: MoveJ p,v500,fine,tool0; ENDTEST",
     "incremented": "Incr n; Add n,2; MoveJ Offs(p,n,0,0),v500,fine,tool0;",
 }
 
@@ -64,6 +67,14 @@ BY_CALL = {
     "reference": (
         "VAR num x; set_ x; MoveJ Offs(p,x,0,0),v50,fine,tool0;",
         "PROC set_(INOUT num x) x:=7; ENDPROC",
+    ),
+    "server": (
+        "n:=1; IF n=2 serve; MoveJ Offs(p,n,0,0),v50,fine,tool0;",
+        "PROC serve() WHILE TRUE DO n:=n+1; IF TestDI(di1) EXIT; ENDWHILE ENDPROC",
+    ),
+    "server on some path": (
+        "n:=1; IF TestDI(di1) ping; MoveJ Offs(p,n,0,0),v50,fine,tool0;",
+        "PROC ping() n:=n+1; pong; ENDPROC PROC pong() n:=n+1; ping; ENDPROC",
     ),
     "never called": ("n:=1;", "PROC spare() MoveJ p,v50,fine,tool0; ENDPROC"),
     "handler": ("n:=1;", "PROC spare() n:=2; ERROR MoveJ p,v50,fine,tool0; RETURN; ENDPROC"),
@@ -146,7 +157,8 @@ def blocks(inner: st.SearchStrategy[str]) -> st.SearchStrategy[str]:
             lambda s: f"FOR i FROM 1 TO {s[0]} DO {s[1]} ENDFOR"
         ),
         st.tuples(data, st.integers(1, 2), inner).map(
-            lambda s: f"k:=0; WHILE k<{s[1]} DO k:=k+1; {s[2]} {s[0]}:=k; ENDWHILE"
+            # A loop inside may count with the same variable; the other one is never reset.
+            lambda s: f"k:=0; WHILE k<{s[1]} AND u<30 DO k:=k+1; u:=u+1; {s[2]} {s[0]}:=k; ENDWHILE"
         ),
         st.tuples(expressions, inner, inner).map(
             lambda s: f"TEST {s[0]} CASE 0,1: {s[1]} DEFAULT: {s[2]} ENDTEST"
@@ -159,9 +171,26 @@ simple = st.one_of(
     st.tuples(data, expressions).map(lambda s: f"{s[0]}:={s[1]};"),
     expressions.map(lambda x: f"MoveJ Offs(p,{x} MOD 9,{x} MOD 7,0),v500,z10,tool0;"),
     expressions.map(lambda x: f"go {x};"),
-    st.sampled_from(["hidden;", "change n;", "IF a>1 RETURN;", "ask;"]),
+    st.sampled_from(["hidden;", "change n;", "IF a>1 RETURN;", "ask;", "serve;", "IF a=2 spin;"]),
+    # A jump back has an end; the label is one of the list of the routine.
+    st.tuples(conditions, st.integers(0, 2)).map(
+        lambda s: f"IF {s[0]} THEN t:=t+1; IF t<4 GOTO l{s[1]}; ENDIF"
+    ),
+    st.integers(0, 2).map(lambda k: f"t:=t+1; IF t<5 GOTO l{k};"),
+    st.integers(0, 2).map(lambda k: f"IF t<5 THEN t:=t+1; GOTO l{k}; ELSE EXIT; ENDIF"),
 )
 bodies = st.recursive(simple, blocks, max_leaves=8)
+routines = st.lists(bodies, min_size=1, max_size=4).map(
+    lambda parts: " ".join([parts[0], *(f"l{k}: {one}" for k, one in enumerate(parts[1:]))])
+)
+"""Bodies of routines; not all of their labels are there."""
+
+
+def with_labels(body: str) -> str:
+    """The body with the labels that it lacks, at its end."""
+    missing = (k for k in range(3) if f"l{k}: " not in body)
+    return " ".join([body, *(f"l{k}:" for k in missing)])
+
 
 PROGRAM = """MODULE cell
   CONST robtarget p:=[[800,0,600],[0,0,1,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]];
@@ -169,6 +198,8 @@ PROGRAM = """MODULE cell
   VAR num b:=-2;
   VAR num n:=0;
   VAR num k;
+  VAR num t;
+  VAR num u;
   PROC main()
     {main}
   ENDPROC
@@ -183,6 +214,21 @@ PROGRAM = """MODULE cell
   PROC change(INOUT num x)
     x:=x+2;
   ENDPROC
+  PROC serve()
+    WHILE TRUE DO
+      t:=t+1;
+      MoveJ Offs(p,0,t MOD 9,0),v500,z10,tool0;
+      IF t>6 EXIT;
+    ENDWHILE
+  ENDPROC
+  PROC spin()
+    again:
+    t:=t+1;
+    MoveJ Offs(p,0,0,t MOD 9),v500,z10,tool0;
+    IF t>6 EXIT;
+    IF t=3 GOTO again;
+    spin;
+  ENDPROC
   PROC ask()
     b:=TestDI(di1) OR a=5 ? 1:2;
   ENDPROC
@@ -190,13 +236,14 @@ ENDMODULE
 """.replace("b:=TestDI(di1) OR a=5 ? 1:2;", "IF TestDI(di1) THEN b:=1; ELSE b:=2; ENDIF")
 
 
-@examples(60)
-@given(main=bodies, go=st.one_of(simple.filter(lambda s: "go" not in s), st.just("")))
+@examples(150)
+@given(main=routines, go=routines.filter(lambda s: "go " not in s))
 def test_every_move_of_a_run_is_among_those_known(main: str, go: str) -> None:
-    loaded = load([SourceFile("cell.mod", PROGRAM.format(main=main, go=go), "utf-8")])
+    text = PROGRAM.format(main=with_labels(main), go=with_labels(go))
+    loaded = load([SourceFile("cell.mod", text, "utf-8")])
     assert loaded.program is not None, [d.violation.message for d in loaded.diagnostics]
     walked = walk_program(loaded.program)
-    run = simulate(loaded.program, arm(), options=RunOptions(max_time_s=60.0))
+    run = simulate(loaded.program, arm(), options=RunOptions(max_time_s=20.0))
     ways: dict[int, set[object]] = {}
     for known in walked.moves:
         before = None if known.previous is None else walked.moves[known.previous].move

@@ -106,8 +106,8 @@ class _Builder:
             hub = self._new()
             for block in self._unread:
                 self._edge(block, hub, EdgeKind.UNREAD)
-            for label in self._labels.values():
-                self._edge(hub, label, EdgeKind.UNREAD)
+            for to in (*self._labels.values(), EXIT):
+                self._edge(hub, to, EdgeKind.UNREAD)
 
     def _new(self) -> int:
         self._blocks.append(Block())

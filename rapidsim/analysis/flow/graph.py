@@ -3,14 +3,15 @@
 A step is a unit of evaluation: a function call, then the expression or statement that contains
 it. Blocks without incoming edges are kept: the statements that begin there are unreachable. Calls
 are steps, not edges; the effect of a call is the callee's summary (`summaries`). After Aho, Lam,
-Sethi and Ullman, Compilers, 8.4, with one exception: a loop has its test twice, before the first
-iteration and after each one, so that an analysis can distinguish "before the loop" from "after an
-iteration".
+Sethi and Ullman, Compilers, 8.4 and 9.6, with one exception: a loop has its test twice, before the
+first iteration and after each one, so that an analysis can distinguish "before the loop" from
+"after an iteration".
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections import defaultdict
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from enum import IntEnum
 
@@ -95,15 +96,37 @@ class ControlFlowGraph:
         Args:
             kinds: The edges to follow.
             starts: The blocks to begin with.
-            stops: Whether control never continues past a step.
+            stops: Whether control never continues past a step, unless the step fails.
         """
         seen, stack = set(starts), list(starts)
         while stack:
             block = self.blocks[stack.pop()]
-            if stops is not None and any(map(stops, block.steps)):
-                continue
+            is_end = stops is not None and any(map(stops, block.steps))
+            followed = kinds & ~NORMAL if is_end else kinds
             for edge in block.edges:
-                if edge.kind & kinds and edge.to not in seen:
+                if edge.kind & followed and edge.to not in seen:
                     seen.add(edge.to)
                     stack.append(edge.to)
         return seen
+
+    def loop(self, head: int, ends: Iterable[int]) -> set[int] | None:
+        """Return the blocks of a natural loop, from which control comes back to its first block.
+
+        Args:
+            head: The first block.
+            ends: The blocks whose edges lead back to it.
+
+        Returns:
+            The blocks; None if control also enters the loop elsewhere.
+        """
+        before: dict[int, list[int]] = defaultdict(list)
+        for index, block in enumerate(self.blocks):
+            for edge in block.edges:
+                before[edge.to].append(index)
+        found, stack = {head}, list(ends)
+        while stack:
+            index = stack.pop()
+            if index not in found:
+                found.add(index)
+                stack += before[index]
+        return None if found.intersection(self.entries) else found

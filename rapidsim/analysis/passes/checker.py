@@ -83,6 +83,7 @@ def _program(task: TaskCheck) -> Program:
         MappingProxyType(routines),
         task.analysis.loads_modules,
         task.analysis.cell,
+        graph_of=task.analysis.graph_of,
     )
 
 

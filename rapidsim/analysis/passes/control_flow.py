@@ -19,7 +19,7 @@ from rapidsim.analysis.passes.flow_violations import (
     ReturnValue,
     UnreachableCode,
 )
-from rapidsim.analysis.program import Symbol, does
+from rapidsim.analysis.program import control_flow, does
 from rapidsim.analysis.syntax_violations import LateDataDeclaration
 from rapidsim.analysis.tree_walk import blocks, clauses, statements
 from rapidsim.diagnostics import Related
@@ -43,13 +43,9 @@ _TRANSFERS = frozenset(
 def check_flow(routine: tree.Routine, context: Context) -> None:
     """Check one routine with all its clauses."""
     # Most routines have few kinds of statements, and need few of the checks.
-    symbol_of = context.analysis.symbol_of
-    kinds: set[type[tree.Node]] = set()
-    called: set[Symbol | None] = set()
-    for statement in statements(*clauses(routine)):
-        kinds.add(type(statement))
-        if isinstance(statement, tree.Call):
-            called.add(symbol_of.get(statement))
+    nodes = context.analysis.nodes_of(routine)
+    kinds = nodes.keys()
+    called = set(map(context.analysis.symbol_of.get, nodes.all(tree.Call)))
     traits = reduce(or_, map(does, called), NO_TRAITS)
     is_function = isinstance(routine, tree.Func)
     if tree.Data in kinds:
@@ -64,10 +60,15 @@ def check_flow(routine: tree.Routine, context: Context) -> None:
         for body in clauses(routine):
             _check_next_turns(body, context)
     if traits & _TRANSFERRING or not kinds.isdisjoint(_TRANSFERS):
-        graph = context.analysis.flow(routine)
+        graph = _flow(routine, context)
         reached = graph.reached(_MAY_FOLLOW, graph.entries)
         for body in clauses(routine):
             _check_reached(body, graph, reached, context)
+
+
+def _flow(routine: tree.Routine, context: Context) -> ControlFlowGraph:
+    functions = context.analysis.nodes_of(routine).all(tree.FunctionCall)
+    return control_flow(context.analysis, routine, functions)
 
 
 def _check_declarations(routine: tree.Routine, context: Context) -> None:
@@ -138,7 +139,7 @@ def _check_returns(routine: tree.Routine, context: Context) -> None:
                 context.report(ReturnValue(problem, cure, gives_value=True), node)
             case _:
                 pass
-    if isinstance(routine, tree.Func) and _can_complete(context.analysis.flow(routine)):
+    if isinstance(routine, tree.Func) and _can_complete(_flow(routine, context)):
         closing = tree.Node(max(routine.start, routine.end - len("ENDFUNC")), routine.end)
         context.report(
             MissingReturn(routine.name.text, routine.type.text),
@@ -149,7 +150,7 @@ def _check_returns(routine: tree.Routine, context: Context) -> None:
     if handler is not None and not any(depends_on_error(one) for one in statements(handler.body)):
         # A clause that selects by ERRNO may be complete for the errors that occur.
         assert isinstance(routine, tree.Func)
-        graph = context.analysis.flow(routine)
+        graph = _flow(routine, context)
         if graph.handler is not None and _can_complete(graph, graph.handler):
             missing = MissingReturn(routine.name.text, routine.type.text, is_clause=True)
             context.report(missing, handler)

@@ -25,7 +25,7 @@ from rapidsim.analysis.program import (
     Symbol,
 )
 from rapidsim.analysis.syntax_violations import UnfinishedDeclaration
-from rapidsim.analysis.tree_walk import children, clauses, descendants, statements
+from rapidsim.analysis.tree_walk import children, descendants
 from rapidsim.analysis.types.constant_folding import constant_number
 from rapidsim.analysis.types.operators import has_value
 from rapidsim.diagnostics import Related
@@ -170,16 +170,15 @@ def declare_locals(routine: RoutineSymbol, home: Context, user_types: UserTypes)
         first = names.setdefault(parameter.name.lower(), parameter)
         if first is not parameter:
             _report_duplicate(parameter.node.name, first, context, "parameter")
-    node = routine.node
-    for part in statements(*clauses(node)):
-        if isinstance(part, tree.Data):
-            symbol = declare_data(part, context, user_types, local=True)
-            first_symbol = names.setdefault(part.name.key, symbol)
-            if first_symbol is not symbol:
-                _report_duplicate(part.name, first_symbol, context, f"local {_kind(part)}")
-    for part in statements(*clauses(node)):
-        if isinstance(part, tree.Label) and part.name.key in names:
-            _report_duplicate(part.name, names[part.name.key], context, "label")
+    nodes = home.analysis.nodes_of(routine.node)
+    for part in nodes.all(tree.Data):
+        symbol = declare_data(part, context, user_types, local=True)
+        first_symbol = names.setdefault(part.name.key, symbol)
+        if first_symbol is not symbol:
+            _report_duplicate(part.name, first_symbol, context, f"local {_kind(part)}")
+    for label in nodes.all(tree.Label):
+        if label.name.key in names:
+            _report_duplicate(label.name, names[label.name.key], context, "label")
     return context
 
 

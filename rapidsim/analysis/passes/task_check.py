@@ -31,7 +31,7 @@ from rapidsim.analysis.passes.undeclared import decide_undeclared
 from rapidsim.analysis.program import DataSymbol, RoutineSymbol, does
 from rapidsim.analysis.suggestions import closest
 from rapidsim.analysis.tolerated_syntax import check_lenient_marks
-from rapidsim.analysis.tree_walk import clauses, descendants, statements
+from rapidsim.analysis.tree_walk import clauses, descendants, nodes_by_kind, statements
 from rapidsim.diagnostics import Diagnostic
 from rapidsim.language.types import Type
 from rapidsim.library.traits import Trait
@@ -125,7 +125,8 @@ class TaskCheck:
             show_local_names(visitor.modules, self._homes)
         others = tree.RoutineNode | tree.Data
         for home in self._homes:
-            check_lenient_marks([i for i in home.module.items if not isinstance(i, others)], home)
+            items = (item for item in home.module.items if not isinstance(item, others))
+            check_lenient_marks(nodes_by_kind(*items), home)
             for item in home.module.items:
                 if isinstance(item, tree.Data):
                     self.check_data(item, home.module)
@@ -176,6 +177,7 @@ class TaskCheck:
         nodes = list(descendants(item))
         if isinstance(item, tree.Routine):
             self.forget(item, nodes)
+            analysis.nodes.pop(item, None)
             del self.units[item]
         else:
             self.forget_nodes(nodes)
@@ -214,7 +216,7 @@ class TaskCheck:
         symbol = self.analysis.symbol_of.get(data)
         if isinstance(symbol, DataSymbol):
             check_initial_value(symbol, home)
-        check_lenient_marks([data], home)
+        check_lenient_marks(nodes_by_kind(data), home)
 
     def check_circles(self) -> None:
         """Check that no constant outside of routines is defined by itself."""
@@ -230,7 +232,8 @@ class TaskCheck:
         """Check one routine; of two routines with one name only the notation of the second."""
         home = self.analysis.home_of[module]
         self.analysis.unit = self.units[routine] = UnitResults()
-        check_lenient_marks([routine], home)
+        self.analysis.nodes.pop(routine, None)
+        check_lenient_marks(self.analysis.nodes_of(routine), home)
         symbol = self.analysis.symbol_of.get(routine)
         if not isinstance(symbol, RoutineSymbol):
             return
@@ -332,11 +335,10 @@ def _unit_name(finding: Diagnostic) -> str | None:
 
 
 def _local_data(routine: tree.Routine, context: Context) -> Iterator[tuple[DataSymbol, Context]]:
-    for node in statements(*clauses(routine)):
-        if isinstance(node, tree.Data):
-            symbol = context.analysis.symbol_of.get(node)
-            if isinstance(symbol, DataSymbol):
-                yield symbol, context
+    for node in context.analysis.nodes_of(routine).all(tree.Data):
+        symbol = context.analysis.symbol_of.get(node)
+        if isinstance(symbol, DataSymbol):
+            yield symbol, context
 
 
 def _loads(call: tree.Call) -> bool:

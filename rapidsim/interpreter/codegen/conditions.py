@@ -9,10 +9,9 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from dataclasses import replace
 
-from rapidsim.analysis.flow.build import build_graph
 from rapidsim.analysis.flow.graph import EdgeKind, FlowEdge
 from rapidsim.analysis.flow.solve import forward
-from rapidsim.analysis.program import Program, RoutineSymbol, does
+from rapidsim.analysis.program import Program, RoutineSymbol, control_flow
 from rapidsim.analysis.tree_walk import blocks, descendants, statements
 from rapidsim.interpreter.codegen.inlined_instructions import assigned_in_place
 from rapidsim.interpreter.codegen.intervals import Interval, rounded
@@ -38,7 +37,7 @@ def narrowed(
         integers: Bounds of variables that hold everywhere, by declaration.
         of: Computes the bounds of an expression.
     """
-    graph = build_graph(routine.node, lambda call: does(program.symbol_of.get(call)), ())
+    graph = control_flow(program, routine.node)
     conditions = _Conditions(program, integers, of)
     # A clause can be entered from any statement, and so can the targets of RETRY and TRYNEXT.
     resumed = [
@@ -53,7 +52,8 @@ def narrowed(
     found: dict[tree.Node, Interval] = {}
     for index, bounds in states.items():
         for node in graph.blocks[index].steps:
-            if not isinstance(node, tree.For):
+            # A function call is part of the step behind it.
+            if not isinstance(node, tree.For | tree.FunctionCall):
                 found |= conditions.at_references(node, bounds)
             bounds = conditions.after(node, bounds)
     return found

@@ -1,10 +1,10 @@
 """Abstract interpreter of a program, which collects the moves whose arguments are static.
 
-Calls are followed from main with their arguments, so a move is known together with its predecessor.
-Both branches of an unknown condition are interpreted; a loop with known bounds is executed
-iteration by iteration, any other once from its entry and once for all further iterations. Routines
-without a caller are entries, too. Values that may have been overwritten are forgotten, never
-guessed.
+Calls are followed from main with their arguments, so a move is known with its predecessor. Both
+branches of an unknown condition are interpreted; a loop with known bounds is executed
+iteration by iteration, any other once from its entry and once for all further iterations. Jumps
+are those of the control-flow graph. Routines without a caller are entries, too. Values that may
+have been overwritten are forgotten, never guessed.
 """
 
 from __future__ import annotations
@@ -27,16 +27,16 @@ from rapidsim.interpreter.codegen.calls import match_arguments
 from rapidsim.interpreter.codegen.data_access import by_reference
 from rapidsim.interpreter.codegen.written_paths import bare
 from rapidsim.language.data import JointTarget
-from rapidsim.language.moves import Move
 from rapidsim.library import arithmetic
 from rapidsim.library.table import LibraryRoutine
 from rapidsim.library.traits import Trait
-from rapidsim.reach.dataflow.bulk_moves import Runs, moves_of_run
+from rapidsim.reach.dataflow.bulk_moves import Runs
 from rapidsim.reach.dataflow.controller_stub import ControllerStub
 from rapidsim.reach.dataflow.data_places import empty_data, replaced
-from rapidsim.reach.dataflow.known_moves import KnownMove, MoveStatement
+from rapidsim.reach.dataflow.jumps import ProgramJumps
 from rapidsim.reach.dataflow.known_values import evaluator_of
 from rapidsim.reach.dataflow.motion_settings import DISPLACEMENTS, KnownSettings
+from rapidsim.reach.dataflow.move_table import MoveTable
 from rapidsim.reach.dataflow.side_effects import Effects, ProgramEffects, root_of
 from rapidsim.reach.dataflow.state import BEGINNING, AbstractFrame, State, joined
 from rapidsim.reach.dataflow.transfer_functions import InstructionEffect, perform
@@ -47,7 +47,7 @@ MOST_STATEMENTS = 100_000
 MOST_ROUNDS = 2000
 """Largest number of iterations that are interpreted, for a loop with moves."""
 MOST_IDLE_ROUNDS = 100
-"""Largest number of iterations that are interpreted, for a loop without moves."""
+"""Largest number for a loop without moves."""
 DEEPEST_CALL = 12
 ENTRY = "main"
 
@@ -68,12 +68,6 @@ class AbstractInterpreter:
     effects: ProgramEffects
     runs: Runs
     state: State = field(default_factory=State)
-    moves: list[KnownMove] = field(default_factory=list)
-    unknown: dict[MoveStatement, str] = field(default_factory=dict)
-    unreached: dict[MoveStatement, str] = field(default_factory=dict)
-    """Reasons why moves on no path of the program are unknown; used if no path reaches them.
-    """
-    _index: dict[object, int] = field(default_factory=dict)
     _stack: list[AbstractFrame] = field(default_factory=list)
     _entered: set[RoutineSymbol] = field(default_factory=set)
     _constants: dict[Symbol, Known] = field(default_factory=dict)
@@ -81,24 +75,22 @@ class AbstractInterpreter:
     """Effects by identity, with the bodies: some are slices of others, and must stay alive."""
     _turns: list[list[State]] = field(default_factory=list)
     """For each active loop, the states at which CONTINUE ended its iteration."""
-    _run_ends: dict[int, int] = field(default_factory=dict)
-    """By the move before bulk statements, the last of their moves."""
-    _unreachable: set[int] = field(default_factory=set)
-    _is_unreachable: int = 0
-    """Above 0 while interpreting statements that the current path does not reach."""
+    _off_path: set[int] = field(default_factory=set)
+    """Statements with which interpretation off the path has begun, by identity."""
     _from_start: bool = False
     """Whether data not written on the current path certainly have their initial values."""
     _steps_remaining: int = MOST_STATEMENTS
 
     def __post_init__(self) -> None:
         self._evaluator = evaluator_of(self.program, self)
+        self._jumps = ProgramJumps(self.program, self.effects)
+        self.table = MoveTable(self.runs)
 
     # --- routines
 
     def walk_all(self) -> None:
         """Interpret main first, then routines that nothing calls, then the rest."""
-        main = self.program.routines.get(ENTRY)
-        if main is not None:
+        if (main := self.program.routines.get(ENTRY)) is not None:
             self._from_start = True
             self._walk_alone(main, State(last=BEGINNING))
             self._from_start = False
@@ -145,6 +137,7 @@ class AbstractInterpreter:
         self._execute(routine.node.body)
         self._stack.pop()
         self.state = joined([*frame.returns, self.state])
+        self.state.alive &= self._jumps.returns(routine)
         results = frame.results
         if results and all(type(one) is type(results[0]) and one == results[0] for one in results):
             return results[0]
@@ -155,6 +148,7 @@ class AbstractInterpreter:
         stacked = any(frame.routine is symbol for frame in self._stack)
         if stacked or len(self._stack) >= DEEPEST_CALL or self._steps_remaining < 0:
             self._forget_effects(self.effects.of_routine(symbol), _BY_CALL)
+            self.state.alive &= self._jumps.returns(symbol)
             return NotStatic(f"`{symbol.name}` is not followed so deep")
         given = match_arguments(arguments, symbol.parameters)
         values: dict[Symbol, Known] = {}
@@ -233,33 +227,62 @@ class AbstractInterpreter:
     # --- statements
 
     def _execute(self, body: tree.Body) -> None:
+        looked_at = 0
         for position, statement in enumerate(body):
-            if not self.state.alive and not isinstance(statement, tree.Label):
-                self._unreached(body[position:])
-                return
+            if isinstance(statement, tree.Label):
+                self._arrive(statement)
+            elif not self.state.alive and not self._resume(statement):
+                if position >= looked_at:
+                    rest = enumerate(body[position:], position)
+                    ahead = (k for k, one in rest if isinstance(one, tree.Label))
+                    looked_at = next(ahead, len(body))
+                    self._walk_off_path(body[position:looked_at], None)
+                continue
             self._steps_remaining -= 1
             self._statement(statement)
 
-    def _unreached(self, rest: tree.Body) -> None:
-        """Handle statements after a RETURN or similar; a label may make them reachable again."""
-        label = next((k for k, one in enumerate(rest) if isinstance(one, tree.Label)), len(rest))
-        self._walk_unreachable(rest[:label], ())
-        if label < len(rest):
-            self._execute(rest[label:])
+    def _arrive(self, label: tree.Label) -> None:
+        """Join the states that come to a label, from above and by GOTO."""
+        frame = self._stack[-1]
+        jumps = self._jumps.of(frame.routine)
+        self.state = frame.arriving(label.name.key, self.state)
+        if self.state.alive and not frame.off_path and self._steps_remaining >= 0:
+            self._forget_effects(jumps.repeated(label), _IN_LOOP)
+        elif self.state.alive or jumps.is_reached(label):
+            # From below, or not all states have come that may come.
+            self._enter_anywhere(_IN_LOOP)
 
-    def _walk_unreachable(self, body: tree.Body, decided_by: Iterable[tree.Expression]) -> None:
-        """Collect the moves of skipped statements, without the data that decided on the skip."""
-        if not body or id(body[0]) in self._unreachable or not self._effects_of(body).moves:
+    def _resume(self, statement: tree.Statement) -> bool:
+        """Continue at a statement that only a path through an ERROR clause reaches."""
+        if self._jumps.of(self._stack[-1].routine).is_resumed(statement):
+            self._enter_anywhere(_ELSEWHERE)
+        return self.state.alive
+
+    def _enter_anywhere(self, reason: str) -> None:
+        """Forget whatever the routine may have done before the next statement."""
+        self.state.alive = True
+        self._forget_effects(self.effects.of_routine(self._stack[-1].routine), reason)
+
+    def _walk_off_path(self, body: tree.Body, decided_by: Iterable[tree.Expression] | None) -> None:
+        """Collect the moves of statements that the path skips.
+
+        Args:
+            body: The statements.
+            decided_by: Conditions that decided on the skip; the data in them are forgotten. None
+                forgets all that the routine writes.
+        """
+        if not body or id(body[0]) in self._off_path or not self._effects_of(body).moves:
             return
-        self._unreachable.add(id(body[0]))
-        kept = self.state
+        self._off_path.add(id(body[0]))
+        kept, frame = self.state, self._stack[-1]
         self.state = State(dict(kept.values), kept.settings, None)
-        if not kept.alive:
-            self._forget_effects(self.effects.of_routine(self._stack[-1].routine), _ELSEWHERE)
-        self.state.forget(self.effects.variables_in(decided_by), _WAY)
-        self._is_unreachable += 1
+        if decided_by is None:
+            self._enter_anywhere(_ELSEWHERE)
+        else:
+            self.state.forget(self.effects.variables_in(decided_by), _WAY)
+        frame.off_path += 1
         self._execute(body)
-        self._is_unreachable -= 1
+        frame.off_path -= 1
         self.state = kept
 
     def _statement(self, statement: tree.Statement) -> None:
@@ -287,11 +310,9 @@ class AbstractInterpreter:
                     self.state.values[symbol] = self._initial(symbol)
             case tree.Return(value=value):
                 self._return(value)
-            case tree.Label():
-                routine = self._stack[-1].routine
-                self.state.alive = True
-                self._forget_effects(self.effects.of_routine(routine), _IN_LOOP)
-            case tree.Goto() | tree.Exit() | tree.Raise() | tree.Retry() | tree.TryNext():
+            case tree.Goto():
+                self._jump(statement)
+            case tree.Exit() | tree.Raise() | tree.Retry() | tree.TryNext():
                 self.state.alive = False
             case tree.LateCall():
                 self._forget_effects(self.effects.everything, _BY_CALL)
@@ -300,10 +321,17 @@ class AbstractInterpreter:
 
     def _return(self, value: tree.Expression | None) -> None:
         result = None if value is None else self._evaluator.value(value)
-        if not self._is_unreachable:
-            frame = self._stack[-1]
+        frame = self._stack[-1]
+        if not frame.off_path:
             frame.returns.append(self.state.copy())
             frame.results.append(result)
+        self.state.alive = False
+
+    def _jump(self, jump: tree.Goto) -> None:
+        frame = self._stack[-1]
+        # A jump back is foreseen at its label.
+        if not frame.off_path and self._jumps.of(frame.routine).is_forward(jump):
+            frame.jump(jump.name.key, self.state)
         self.state.alive = False
 
     def _choose(
@@ -314,7 +342,7 @@ class AbstractInterpreter:
         for position, (condition, body) in enumerate(branches):
             known = self._evaluator.value(condition)
             if known is False:
-                self._walk_unreachable(body, [condition])
+                self._walk_off_path(body, [condition])
                 continue
             entry = self.state.copy()
             self._execute(body)
@@ -322,8 +350,8 @@ class AbstractInterpreter:
             self.state = entry
             if known is True:
                 for _, other in branches[position + 1 :]:
-                    self._walk_unreachable(other, [condition])
-                self._walk_unreachable(else_body, [condition])
+                    self._walk_off_path(other, [condition])
+                self._walk_off_path(else_body, [condition])
                 break
         else:
             self._execute(else_body)
@@ -333,17 +361,21 @@ class AbstractInterpreter:
     def _test(self, test: tree.Test) -> None:
         subject = self._evaluator.value(test.subject)
         ends: list[State] = []
-        for case in test.cases:
+        for position, case in enumerate(test.cases):
             values = [self._evaluator.value(value) for value in case.values]
             open_ = isinstance(subject, NotStatic) or any(isinstance(v, NotStatic) for v in values)
             if not open_ and subject not in values:
-                self._walk_unreachable(case.body, [test.subject])
+                self._walk_off_path(case.body, [test.subject])
                 continue
             entry = self.state.copy()
             self._execute(case.body)
             ends.append(self.state)
             self.state = entry
             if not open_:
+                # Often the code of a message: any other comes after any number of messages.
+                for other in test.cases[position + 1 :]:
+                    self._walk_off_path(other.body, None)
+                self._walk_off_path(test.default or (), None)
                 break
         else:
             self._execute(test.default or ())
@@ -380,7 +412,7 @@ class AbstractInterpreter:
     def _while(self, condition: tree.Expression, body: tree.Body) -> None:
         known = self._evaluator.value(condition)
         if known is False:
-            self._walk_unreachable(body, [condition])
+            self._walk_off_path(body, [condition])
             return
         constant = not self.effects.variables_in([condition])
         self._repeat(body, surely=known is True, endless=known is True and constant)
@@ -419,7 +451,7 @@ class AbstractInterpreter:
             case LibrarySymbol(routine=routine) if Trait.CALL_BY_NAME in routine.traits:
                 self._forget_effects(self.effects.everything, _BY_CALL)
             case LibrarySymbol(routine=routine) if Trait.NEXT_TURN in routine.traits:
-                if self._turns and not self._is_unreachable:
+                if self._turns and not self._stack[-1].off_path:
                     self._turns[-1].append(self.state.copy())
                 self.state.alive = False
             case LibrarySymbol(routine=routine):
@@ -455,46 +487,14 @@ class AbstractInterpreter:
         elif why is None and displaced and not isinstance(moves[0].to, JointTarget):
             why = "a program displacement (PDispOn, EOffsOn and their like) may be in force"
         if why is not None:
-            (self.unreached if self._is_unreachable else self.unknown).setdefault(call, why)
+            is_off_path = any(frame.off_path for frame in self._stack)
+            (self.table.unreached if is_off_path else self.table.unknown).setdefault(call, why)
             self.state.last = None
             return
-        self._record(call, moves[0])
         if call in self.runs:
-            self._record_run(call)
+            self._steps_remaining -= len(self.runs[call][0])
+        self.state.last = self.table.add(
+            call, moves[0], self._stack[-1].routine, self.state.settings, self.state.last
+        )
         if Trait.SEARCH in routine.traits:
             self.state.last = None
-
-    def _record(self, call: tree.Call, move: Move) -> None:
-        known = self.state.settings
-        key = (call, move, known, self.state.last)
-        index = self._index.get(key)
-        if index is None:
-            index = len(self.moves)
-            self._index[key] = index
-            frame = self._stack[-1].routine
-            begins = self.state.last == BEGINNING
-            self.moves.append(
-                KnownMove(
-                    call,
-                    frame.module,
-                    frame.name,
-                    move,
-                    known.settings,
-                    known.uncertain,
-                    None if begins else self.state.last,
-                    begins,
-                )
-            )
-        self.state.last = index
-
-    def _record_run(self, call: tree.Call) -> None:
-        """Record the moves of bulk statements: equal to the move before, except for targets."""
-        before = self.state.last
-        assert before is not None
-        run, rows = self.runs[call]
-        self._steps_remaining -= len(run)
-        if before not in self._run_ends:
-            assert before == len(self.moves) - 1, "the first of them starts where it ends"
-            self.moves += moves_of_run(run, rows, self.moves[before], len(self.moves))
-            self._run_ends[before] = len(self.moves) - 1
-        self.state.last = self._run_ends[before]

@@ -35,11 +35,12 @@ def walk_program(program: Program) -> WalkedProgram:
     walker = AbstractInterpreter(program, effects, runs)
     if written:
         walker.walk_all()
-    met = {known.call for known in walker.moves} | walker.unknown.keys()
+    table = walker.table
+    met = {known.call for known in table.moves} | table.unknown.keys()
     for call, _ in written:
         if call not in met:
-            walker.unknown[call] = walker.unreached.get(call, TOO_LONG)
-    if not runs.keys() <= met or runs.keys() & (walker.unknown.keys() | walker.unreached.keys()):
+            table.unknown[call] = table.unreached.get(call, TOO_LONG)
+    if not runs.keys() <= met or runs.keys() & (table.unknown.keys() | table.unreached.keys()):
         raise RunNotFollowedError
     settings_set = effects.everything.settings if written else frozenset()
-    return WalkedProgram(written, tuple(walker.moves), walker.unknown, settings_set)
+    return WalkedProgram(written, tuple(table.moves), table.unknown, settings_set)

@@ -140,6 +140,10 @@ class ProgramEffects:
         """Whether the program may write the data."""
         return symbol in self.everything.writes
 
+    def callees(self, routine: RoutineSymbol) -> Sequence[RoutineSymbol]:
+        """Return the routines that a routine calls by name."""
+        return tuple(self._by_routine[routine].calls)
+
     @cached_property
     def called(self) -> frozenset[RoutineSymbol]:
         """Routines that another routine calls by name."""

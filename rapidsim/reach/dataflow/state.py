@@ -46,7 +46,7 @@ def joined(states: Iterable[State]) -> State:
     """Join the states of several paths; those that end before are ignored.
 
     If all of them end before, the data keep their values at the ends: the statements that follow
-    are examined, too, and a label may be reached by GOTO.
+    are examined, too.
     """
     every = list(states)
     first, *others = [way for way in every if way.alive] or every
@@ -72,3 +72,16 @@ class AbstractFrame:
     routine: RoutineSymbol
     returns: list[State] = field(default_factory=list)
     results: list[Known] = field(default_factory=list)
+    jumps: dict[str, State] = field(default_factory=dict)
+    """States that GOTO has sent to labels ahead, by folded label."""
+    off_path: int = 0
+    """Above 0 while interpreting statements of the routine that the current path does not reach."""
+
+    def jump(self, label: str, state: State) -> None:
+        """Send a state to a label ahead."""
+        self.jumps[label] = self.arriving(label, state).copy()
+
+    def arriving(self, label: str, state: State) -> State:
+        """Return the join of a state with those sent to a label, which are then no longer kept."""
+        sent = self.jumps.pop(label, None)
+        return state if sent is None else joined([sent, state])

@@ -42,3 +42,33 @@ MODULE bad
     PDispOff;
   ENDPROC
 ENDMODULE
+! ---
+MODULE Guarded
+  VAR num x := 3;
+
+  PROC main()
+    MoveJ [[800,0,600],[0,0,1,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]], v100, fine, tool0;
+    part;
+    part;
+  ENDPROC
+
+  PROC part()
+    ConfL\Off; ! found
+    until_error;
+    MoveL [[800,0,500],[0,0,1,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]], v100, fine, tool0;
+  ENDPROC
+
+  ! Ends with the first error of the server.
+  PROC until_error()
+    serve;
+  ERROR
+    TPWrite "end";
+    TRYNEXT;
+  ENDPROC
+
+  PROC serve()
+    WHILE TRUE DO
+      x := x / (x - 1);
+    ENDWHILE
+  ENDPROC
+ENDMODULE

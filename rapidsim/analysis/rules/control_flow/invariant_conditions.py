@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -15,10 +15,10 @@ from rapidsim.analysis.program import (
     Symbol,
 )
 from rapidsim.analysis.program_parts import Facts, ProgramPart
-from rapidsim.analysis.rules.facts.changed_data import changed_by, changed_in
+from rapidsim.analysis.rules.facts.changed_data import CHANGES, changed_by, changed_in
 from rapidsim.analysis.rules.facts.instruction_questions import arguments_of, may_do
 from rapidsim.analysis.rules.facts.known_values import known_value
-from rapidsim.analysis.rules.facts.reached_routines import mask_of, may_move, reached
+from rapidsim.analysis.rules.facts.reached_routines import mask_of, may_leave, may_move, reached
 from rapidsim.analysis.tree_walk import descendants
 from rapidsim.analysis.types.operators import ORDERING
 from rapidsim.diagnostics import Diagnostic, Violation
@@ -30,7 +30,6 @@ from rapidsim.library.traits import LIMITS, Trait
 from rapidsim.syntax import tree
 
 _FOR_EVER_S = 60.0
-_LEAVES = (tree.Return, tree.Exit, tree.Goto, tree.Raise, tree.InvalidStatement)
 _VALUES = (types.NUM, types.DNUM, types.BOOL, types.STRING)
 _TASK = TYPES["taskid"]
 _KNOWN = (
@@ -60,8 +59,9 @@ def find_unchanging_conditions(facts: Facts) -> Iterator[Diagnostic]:
         if part.routine is None or part.routine.error is not None:
             # The ERROR clause may be the exit of the loop.
             continue
-        for loop, inside in facts.of_part(_lasting_loops, part):
-            works = may_move(loop.body, facts)
+        for loop in facts.of_part(_lasting_loops, part):
+            inside = list(part.inside(loop.body, *CHANGES))
+            works = may_move(inside, facts)
             data = task.unchanging(loop.condition, [loop.condition, *inside], works=works)
             if data is not None:
                 keyword = tree.Node(loop.start, loop.condition.end)
@@ -72,13 +72,12 @@ def find_unchanging_conditions(facts: Facts) -> Iterator[Diagnostic]:
                 yield part.finding(UnchangingCondition(call.name.text, data), condition)
 
 
-def _lasting_loops(part: ProgramPart, facts: Facts) -> list[tuple[tree.While, Sequence[tree.Node]]]:
-    """Loops that only their condition can end, with the nodes of their bodies."""
-    bodies = [(loop, list(descendants(*loop.body))) for loop in part.all(tree.While)]
+def _lasting_loops(part: ProgramPart, facts: Facts) -> list[tree.While]:
+    """Loops that only their condition can end."""
     return [
-        (loop, inside)
-        for loop, inside in bodies
-        if not (any(_leaves(node, facts) for node in inside) or _is_halt(loop, facts))
+        loop
+        for loop in part.all(tree.While)
+        if not (may_leave(loop.body, part, facts) or _is_halt(loop, facts))
     ]
 
 
@@ -155,7 +154,7 @@ class _Task:
         if any(not _is_local(symbol) for symbol in found):
             if any(_leads_away(node, self.facts) for node in nodes):
                 return None
-            between = self._traps | reached(nodes, self.facts)
+            between = self._traps | reached([*descendants(condition), *nodes], self.facts)
             if between & self._leading_away:
                 return None
             if any(between & self._changing.get(symbol, 0) for symbol in found):
@@ -222,12 +221,6 @@ def _leads_away(node: tree.Node, facts: Facts) -> bool:
         return False
     row = facts.installed(node)
     return row is None or bool((Trait.CALL_BY_NAME | Trait.CALL_ON_THE_WAY) & row.traits)
-
-
-def _leaves(node: tree.Node, facts: Facts) -> bool:
-    return isinstance(node, _LEAVES) or (
-        isinstance(node, tree.Call) and Trait.LEAVE in facts.does(node)
-    )
 
 
 def _is_halt(loop: tree.While, facts: Facts) -> bool:

@@ -9,6 +9,7 @@ from rapidsim.analysis.program_parts import Facts, ProgramPart
 from rapidsim.analysis.rules.facts.instruction_questions import as_move
 from rapidsim.analysis.rules.facts.modes_in_force import routines_with, unrestored_modes
 from rapidsim.analysis.rules.facts.reached_routines import may_move, reached
+from rapidsim.analysis.tree_walk import descendants
 from rapidsim.diagnostics import Diagnostic, Severity, Violation
 from rapidsim.library.table import LibraryRoutine
 from rapidsim.library.traits import Trait
@@ -60,7 +61,7 @@ def find_mode_leaks(facts: Facts) -> Iterator[Diagnostic]:
             if routine in beginning:
                 break
             later = (call for call in part.all(tree.Call) if call.start > left.call.start)
-            if may_move(later, facts):
+            if may_move(list(descendants(*later)), facts):
                 shown = " ".join(part.module.span(left.call).text.split())
                 if left.back not in kept:
                     kept[left.back] = _is_shared(left.back, facts)
@@ -102,7 +103,7 @@ def _beginning(facts: Facts) -> set[tree.Routine]:
         if isinstance(statement, tree.While | tree.For) or as_move(statement, facts) is not None:
             break
         first.append(statement)
-    begun = reached(first, facts)
+    begun = reached(descendants(*first), facts)
     for part, bit in facts.bit_of.items():
         if bit & begun and part.routine is not None and callers[part.routine] == 1:
             found.add(part.routine)

@@ -29,7 +29,7 @@ def find_opened_in_loops(facts: Facts) -> Iterator[Diagnostic]:
             opened = next(_opened(body, facts), None)
             if opened is None or any(_leaves(node, facts) for node in descendants(*body)):
                 continue
-            if closing & reached(body, facts) or _closes(descendants(*body), facts):
+            if closing & reached(descendants(*body), facts) or _closes(descendants(*body), facts):
                 continue
             yield part.finding(OpenedInLoop(opened.name.text), opened)
 

@@ -93,6 +93,8 @@ def find_trap_hazards(facts: Facts) -> Iterator[Diagnostic]:
                     problem = f"{call.name.text} in a trap holds up program and interrupts"
                     cure = "let the trap set a flag, and wait in the program"
                     yield part.finding(TrapHazard(problem, cure), call)
+        if not part.all(tree.Connect):
+            continue
         reported: set[tree.Connect] = set()
         bodies = [loop.body for loop in part.all(tree.For)]
         bodies += [loop.body for loop in part.all(tree.While)]

@@ -15,6 +15,8 @@ from rapidsim.library.traits import Trait
 from rapidsim.syntax import tree
 
 _TRIGGER = TYPES["triggdata"]
+CHANGES = (tree.Assignment, tree.Connect, tree.Call, tree.FunctionCall, tree.LateCall)
+"""Nodes that change data or call routines."""
 _PATHS = (tree.DataReference, tree.Index, tree.ComponentAccess)
 
 

@@ -4,13 +4,15 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
+from typing import TypeVar
 
 from rapidsim.analysis.evaluation import arithmetic_result
 from rapidsim.analysis.program import CounterSymbol, Symbol
 from rapidsim.analysis.program_parts import Facts, ProgramPart
-from rapidsim.analysis.rules.facts.changed_data import changed_by
+from rapidsim.analysis.rules.facts.changed_data import CHANGES, changed_by
 from rapidsim.analysis.rules.facts.instruction_questions import arguments_of
 from rapidsim.analysis.rules.facts.known_values import known_value
+from rapidsim.analysis.rules.facts.reached_routines import may_leave
 from rapidsim.analysis.tree_walk import blocks, descendants
 from rapidsim.diagnostics import Diagnostic, Violation
 from rapidsim.language.errors import RapidError
@@ -19,7 +21,7 @@ from rapidsim.library.traits import Trait
 from rapidsim.syntax import tree
 from rapidsim.values import value_class
 
-_LEAVES = (tree.Return, tree.Exit, tree.Goto, tree.Raise, tree.InvalidStatement)
+L = TypeVar("L", tree.For, tree.While)
 _PATHS = (tree.DataReference, tree.Index, tree.ComponentAccess)
 
 
@@ -42,13 +44,13 @@ class _Rounds:
 def find_loops_beyond_arrays(facts: Facts) -> Iterator[Diagnostic]:
     """Report elements whose index is out of bounds in the first or last iteration of a loop."""
     for part in facts.routine_parts:
-        for loop in part.all(tree.For):
+        for loop in _with_elements(part, tree.For):
             rounds = _of_for(loop, facts)
-            if rounds is not None and not _may_end_early(loop.body, facts):
+            if rounds is not None and not may_leave(loop.body, part, facts):
                 yield from _beyond(loop.body, rounds, part, facts)
-        for loop_while in part.all(tree.While):
-            rounds = _of_while(loop_while, facts)
-            if rounds is not None and not _may_end_early(loop_while.body, facts):
+        for loop_while in _with_elements(part, tree.While):
+            rounds = _of_while(loop_while, part, facts)
+            if rounds is not None and not may_leave(loop_while.body, part, facts):
                 first = _before_counting(loop_while.body, rounds.counter, facts)
                 yield from _beyond(first, rounds, part, facts)
 
@@ -71,7 +73,14 @@ def _of_for(loop: tree.For, facts: Facts) -> _Rounds | None:
     return _Rounds(counter, *ends)
 
 
-def _of_while(loop: tree.While, facts: Facts) -> _Rounds | None:
+def _with_elements(part: ProgramPart, kind: type[L]) -> list[L]:
+    """The loops of a part with an element of an array in their bodies."""
+    if not part.all(tree.Index):
+        return []
+    return [loop for loop in part.all(kind) if next(part.inside(loop.body, tree.Index), None)]
+
+
+def _of_while(loop: tree.While, part: ProgramPart, facts: Facts) -> _Rounds | None:
     """Range of a variable that counts up by one until it passes a constant."""
     match loop.condition:
         case tree.Binary(left=tree.DataReference() as left, operator="<=" | "<" as operator):
@@ -81,7 +90,8 @@ def _of_while(loop: tree.While, facts: Facts) -> _Rounds | None:
             return None
     if counter is None or limit is None or not limit.is_integer():
         return None
-    steps = [node for node in descendants(*loop.body) if counter in changed_by([node], facts)]
+    changes = part.inside(loop.body, *CHANGES)
+    steps = [node for node in changes if counter in changed_by([node], facts)]
     if len(steps) != 1 or not _adds_one(steps[0], facts):
         return None
     return _Rounds(counter, None, limit if operator == "<=" else limit - 1)
@@ -107,14 +117,6 @@ def _before_counting(body: tree.Body, counter: Symbol, facts: Facts) -> tree.Bod
             break
         found.append(statement)
     return tuple(found)
-
-
-def _may_end_early(body: tree.Body, facts: Facts) -> bool:
-    return any(
-        isinstance(node, _LEAVES)
-        or (isinstance(node, tree.Call) and Trait.LEAVE in facts.does(node))
-        for node in descendants(*body)
-    )
 
 
 def _beyond(
