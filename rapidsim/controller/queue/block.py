@@ -67,6 +67,8 @@ class MotionBlock:
     """Plans of which a section was travelled, in order of time."""
     is_closed: bool = False
     """Whether its end is decided. It is kept until the next block, as it may still be stopped."""
+    is_brief: bool = False
+    """Whether its only move shares the wait of the stop points at its ends."""
     is_halted: bool = False
     """Whether StopMove holds it until StartMove."""
 

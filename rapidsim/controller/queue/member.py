@@ -74,6 +74,8 @@ class Member:
     """Plans of blocks that it made alone."""
     ready_s: float = 0.0
     """Earliest command time at which its next block may start."""
+    waited_s: float = 0.0
+    """Part [s] of `ready_s` that it waits at its last stop point."""
     settled_s: float = -math.inf
     """Time [s] at which it comes to rest at the end of its last block."""
     level: int = 0

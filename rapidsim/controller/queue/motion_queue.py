@@ -21,6 +21,12 @@ import numpy as np
 from rapidsim.controller.moves.executed_move import CornerKind
 from rapidsim.controller.moves.queued_move import MotionError, QueuedMove, frames_of, nominal_s
 from rapidsim.controller.queue.block import BlockPlan, Commit, empty_block
+from rapidsim.controller.queue.brief_moves import (
+    WAIT_AFTER,
+    WAIT_BEFORE,
+    shares_a_wait,
+    with_less_torque,
+)
 from rapidsim.controller.queue.member import Member
 from rapidsim.controller.queue.path_planner import PathPlanner, PlanStart
 from rapidsim.controller.queue.synchronised_tasks import SynchronisedTasks
@@ -125,9 +131,15 @@ class MotionQueue:
         self.version += 1
         start_s = None
         if not self.is_open:
+            is_brief = shares_a_wait(self.planner, self.members, parts)
+            if is_brief:
+                for member, queued in zip(self.members, parts, strict=True):
+                    member.ready_s -= (1.0 - WAIT_BEFORE) * member.waited_s
+                    with_less_torque(queued)
             start_s = self._next_start_s(now_s)
             self.block = empty_block(len(self.members), is_halted=self.block.is_halted)
             self.block.commit = Commit(start_s, 0, 0.0, 0.0)
+            self.block.is_brief = is_brief
         for member, row, queued in zip(self.members, self.block.rows, parts, strict=True):
             if start_s is not None:
                 queued.started.time = queued.command_start_s = start_s
@@ -175,9 +187,12 @@ class MotionQueue:
         # A window that a ramp has widened takes longer to run empty; the standstill has the same
         # duration, and the next move waits until the window is empty.
         dwell_s = lead.model.dwell_after(tentative.timing.braking_s) + (lag_s - lead.model.window)
+        if self.block.is_brief:
+            dwell_s *= WAIT_AFTER
         if lead.trajectory.has_ramps:
             dwell_s = max(dwell_s, lag_s)
         for member in self.members:
+            member.waited_s = dwell_s
             member.ready_s = end_s + max(dwell_s, pause_s)
             # Without motion there is nothing to bring to rest.
             member.settled_s = end_s + lag_s if tentative.timing.braking_s > 0.0 else -math.inf
