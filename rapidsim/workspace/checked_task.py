@@ -87,7 +87,7 @@ class CheckedTask:
         """Findings in a file."""
         if path not in self._findings:
             units = self._units[path]
-            found = [*map(placed, self._raw[path]), *self._rules.in_file(units)]
+            found = [*placed(self._raw[path], units.source), *self._rules.in_file(units)]
             written = tree.File(units.source.written, (), units.suppressing)
             shown = without_suppressed(found, [written], is_looked_for=self._is_looked_for)
             self._findings[path] = in_total_order(shown)

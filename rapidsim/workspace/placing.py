@@ -2,32 +2,42 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable, Iterator
+from operator import attrgetter
+
 from rapidsim.diagnostics import Diagnostic, Edit, Fix, Related, Span, Violation
 from rapidsim.syntax.violations import UnclosedBlock
+from rapidsim.workspace.spaced_source import SpacedSource
 
 
-def placed(finding: Diagnostic) -> Diagnostic:
-    """Return a finding with all its places in the files as they are written."""
-    related = finding.related
-    if related:
-        related = tuple(Related(_placed(one.span), one.message) for one in related)
-    return Diagnostic(
-        _of_line(finding.violation, related) if related else finding.violation,
-        None if finding.span is None else _placed(finding.span),
-        related,
-        None if finding.fix is None else _fix(finding.fix),
-        finding.routine,
-        finding.assumed,
-    )
-
-
-def _placed(span: Span) -> Span:
-    source = span.source
-    return Span(source.written, *source.offsets(span.start, span.end))
+def placed(findings: Iterable[Diagnostic], source: SpacedSource) -> Iterator[Diagnostic]:
+    """Yield the findings in a file, by offset, with all their places in the files as written."""
+    written, pieces = source.written, source.shifts()
+    begin = end = shift = 0
+    for one in sorted(findings, key=attrgetter("order")):
+        span = one.span
+        if span is None:
+            yield one
+            continue
+        # Most findings lie in one piece.
+        while span.start > end + shift and (piece := next(pieces, None)):
+            begin, (end, shift) = end, piece
+        if begin + shift <= span.start and span.end <= end + shift:
+            place = Span(written, span.start - shift, span.end - shift)
+        else:
+            place = span.written
+        related = one.related
+        if not related and one.fix is None:
+            yield Diagnostic(one.violation, place, (), None, one.routine, one.assumed)
+            continue
+        related = tuple([Related(other.span.written, other.message) for other in related])
+        fix = None if one.fix is None else _fix(one.fix)
+        violation = _of_line(one.violation, related)
+        yield Diagnostic(violation, place, related, fix, one.routine, one.assumed)
 
 
 def _fix(fix: Fix) -> Fix:
-    edits = tuple(Edit(_placed(one.span), one.text) for one in fix.edits)
+    edits = tuple(Edit(one.span.written, one.text) for one in fix.edits)
     return Fix(fix.title, edits, fix.safe)
 
 

@@ -41,9 +41,10 @@ def find_never_connected(facts: Facts) -> Iterator[Diagnostic]:
     """Report interrupts that are ordered but never connected to a trap in the task."""
     if facts.analysis.loads_modules or not facts.is_read:
         return
-    uses = [(part, facts.of_part(_interrupts_of, part)) for part in facts.routine_parts]
-    connected = {symbol: None for _, one in uses for symbol in one.connected}
-    for part, one in uses:
+    uses = facts.in_parts(_interrupts_of)
+    found = [(part, one) for part, one in uses if one is not None]
+    connected = {symbol: None for _, one in found for symbol in one.connected}
+    for part, one in found:
         for call, value, symbol in one.orders:
             if symbol not in connected:
                 names = {known.name.lower(): known.name for known in connected}
@@ -60,7 +61,7 @@ class _InterruptUses:
     orders: tuple[tuple[tree.Call, tree.Expression, Symbol], ...]
 
 
-def _interrupts_of(part: ProgramPart, facts: Facts) -> _InterruptUses:
+def _interrupts_of(part: ProgramPart, facts: Facts) -> _InterruptUses | None:
     kinds = (tree.Connect, tree.Assignment, tree.LateCall)
     connecting: list[tree.Node] = [node for kind in kinds for node in part.all(kind)]
     orders: list[tuple[tree.Call, tree.Expression, Symbol]] = []
@@ -78,8 +79,8 @@ def _interrupts_of(part: ProgramPart, facts: Facts) -> _InterruptUses:
             symbol = facts.symbol(root_of(value)) if isinstance(value, tree.DataPath) else None
             if isinstance(symbol, DataSymbol) and symbol.storage is Storage.VAR:
                 orders.append((call, value, symbol))
-    connected = (symbol for symbol in changed_by(connecting, facts) if symbol is not None)
-    return _InterruptUses(tuple(dict.fromkeys(connected)), tuple(orders))
+    connected = dict.fromkeys(one for one in changed_by(connecting, facts) if one is not None)
+    return _InterruptUses(tuple(connected), tuple(orders)) if connected or orders else None
 
 
 def find_trap_hazards(facts: Facts) -> Iterator[Diagnostic]:

@@ -48,8 +48,8 @@ class _Use:
 def find_mixed_frames(facts: Facts) -> Iterator[Diagnostic]:
     """Report moves to a target whose tool or work object differs from its first move."""
     uses: dict[Symbol, list[_Use]] = {}
-    for part in facts.routine_parts:
-        for symbol, use in facts.of_part(_uses_of_targets, part):
+    for _, found in facts.in_parts(_uses_of_targets):
+        for symbol, use in found:
             uses.setdefault(symbol, []).append(use)
     for symbol, moved in uses.items():
         usual = next((use for use in moved if use.tool != "tool0"), moved[0])

@@ -25,9 +25,9 @@ def find_never_set(facts: Facts) -> Iterator[Diagnostic]:
     """Report the first use of each number, string or record variable that nothing sets."""
     if not facts.is_read:
         return
-    done = set[Symbol]().union(*(changed_in(part, facts) for part in facts.parts))
-    for part in facts.parts:
-        for symbol, finding in facts.of_part(_first_uses, part):
+    done = set[Symbol]().union(*(changed for _, changed in facts.in_parts(changed_in)))
+    for _, uses in facts.in_parts(_first_uses):
+        for symbol, finding in uses:
             if symbol in done:
                 continue
             if symbol.name.lower() in facts.strings or not _all_is_seen(symbol, facts):
