@@ -19,7 +19,7 @@ from rapidsim.syntax.garbage_collection import gc_paused
 from rapidsim.workspace.changes import Changed, TextChange, changed_text
 from rapidsim.workspace.file_units import Edited, EditedData, EditedItems, EditedRoutine, FileUnits
 from rapidsim.workspace.guesses import without_guesses
-from rapidsim.workspace.placing import placed
+from rapidsim.workspace.placing import FilePlaces
 from rapidsim.workspace.task_rules import TaskRules
 from rapidsim.workspace.total_order import in_total_order
 
@@ -53,6 +53,7 @@ class CheckedTask:
         self._rules = TaskRules(rules)
         self._is_looked_for = is_looked_for
         self._units = {file.name: FileUnits(file.name, file.text) for file in task.files}
+        self._places = {path: FilePlaces(units.source) for path, units in self._units.items()}
         self._raw: dict[str, list[Diagnostic]] = {}
         self._findings: dict[str, tuple[Diagnostic, ...]] = {}
         self._check_all()
@@ -87,7 +88,7 @@ class CheckedTask:
         """Findings in a file."""
         if path not in self._findings:
             units = self._units[path]
-            found = [*placed(self._raw[path], units.source), *self._rules.in_file(units)]
+            found = [*self._places[path].placed(self._raw[path]), *self._rules.in_file(units)]
             written = tree.File(units.source.written, (), units.suppressing)
             shown = without_suppressed(found, [written], is_looked_for=self._is_looked_for)
             self._findings[path] = in_total_order(shown)
@@ -111,6 +112,7 @@ class CheckedTask:
     def replace(self, path: str, text: str) -> Changed:
         """Replace a text, and check the task."""
         self._units[path] = FileUnits(path, text)
+        self._places[path] = FilePlaces(self._units[path].source)
         self._check_all()
         return Changed(self._collect(path))
 

@@ -12,14 +12,45 @@ from bisect import bisect_right
 from collections.abc import Iterator, Sequence
 from itertools import pairwise
 
-from rapidsim.diagnostics import Source
+from rapidsim.diagnostics import Source, Span
+from rapidsim.values import value_class
 
 _LEAST_ROOM = 120
 """Least number of characters by which a piece can grow; a large one grows by more."""
 
 
+@value_class(frozen=True, slots=True)
+class Piece:
+    """A piece of a spaced text, at this moment."""
+
+    source: SpacedSource
+    start: int
+    """Offset in the file."""
+    address: int
+    end_address: int
+    """Address past the text of the piece; room follows."""
+    next_address: int
+    """Address of the next piece."""
+
+    def contains(self, span: Span) -> bool:
+        """Whether a span lies in this piece."""
+        is_inside = self.address <= span.start and span.end <= self.end_address
+        return is_inside and span.source is self.source
+
+    def placed(self, span: Span) -> Span:
+        """Return a span of any text in its file as written; quick if it lies in this piece."""
+        if not self.contains(span):
+            return span.written
+        shift = self.start - self.address
+        return Span(self.source.written, span.start + shift, span.end + shift)
+
+
 class SpacedSource(Source):
-    """The text of a file in pieces, with room behind each but the first and the last."""
+    """The text of a file in pieces, with room behind each but the first and the last.
+
+    The text changes, and so does that of `written`: findings in pieces that do not move stay as
+    they are.
+    """
 
     def __init__(self, file: str, text: str, ranges: Sequence[tuple[int, int]]) -> None:
         """Space a text.
@@ -43,13 +74,13 @@ class SpacedSource(Source):
             room = (_LEAST_ROOM + (end - start) * (number % 2)) * is_between
             pieces.append(text[start:end] + self._filling * room)
             address += end - start + room
+        self._written = Source(file, "")
         self._set_texts(text, "".join(pieces))
 
-    _written: Source
-
     def _set_texts(self, written: str, spaced: str) -> None:
-        vars(self)["_written"] = Source(self.file, written)
         vars(self)["text"] = spaced
+        vars(self._written)["text"] = written
+        vars(self._written).pop("line_starts", None)
 
     @property
     def written(self) -> Source:
@@ -75,6 +106,15 @@ class SpacedSource(Source):
         if behind < len(self._starts) and start <= end <= self._starts[behind] - shift:
             return start + shift, end + shift
         return self.offset(start), self.offset(end)
+
+    def piece(self, address: int) -> Piece:
+        """The piece that contains an address."""
+        number = self.piece_of(address)
+        begin, start = self._addresses[number], self._starts[number]
+        is_last = number + 1 == len(self._starts)
+        # The end of the text belongs to the last piece.
+        behind = len(self.text) + 1 if is_last else self._addresses[number + 1]
+        return Piece(self, start, begin, begin + self._end(number) - start, behind)
 
     def piece_at(self, start: int, end: int) -> tuple[int, int, int] | None:
         """Return the piece that may grow and contains a range, with its number.
