@@ -7,10 +7,10 @@ of a text are kept until they or the place of the piece change.
 from __future__ import annotations
 
 from bisect import bisect_left
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Sequence
 from operator import attrgetter
 
-from rapidsim.diagnostics import Diagnostic, Edit, Fix, Related, Violation
+from rapidsim.diagnostics import Diagnostic, Edit, Fix, Related, Span, Violation
 from rapidsim.syntax.violations import UnclosedBlock
 from rapidsim.values import value_class
 from rapidsim.workspace.spaced_source import Piece, SpacedSource
@@ -25,8 +25,10 @@ class _PlacedPiece:
     findings: Sequence[Diagnostic]
     """At their addresses, by address."""
     piece: Piece
-    placed: Sequence[Diagnostic]
+    placed: list[Diagnostic]
     """At their offsets."""
+    wide: Sequence[int]
+    """Indices of findings that name places in other pieces, or lines."""
 
 
 class FilePlaces:
@@ -37,11 +39,12 @@ class FilePlaces:
         self._source = source
         self._kept: dict[int, _PlacedPiece] = {}
 
-    def placed(self, findings: Iterable[Diagnostic]) -> Iterator[Diagnostic]:
-        """Yield findings, by offset, with all their places in the files as written."""
+    def placed(self, findings: Iterable[Diagnostic]) -> list[Diagnostic]:
+        """Return findings, by offset, with all their places in the files as written."""
         ordered = sorted(findings, key=_ORDER)
         starts = [one.order[1] for one in ordered]
         before, self._kept = self._kept, {}
+        placed: list[Diagnostic] = []
         first = 0
         while first < len(ordered):
             piece = self._source.piece(starts[first])
@@ -49,39 +52,68 @@ class FilePlaces:
             group = ordered[first:last]
             known = before.get(piece.address)
             if known is None or known.piece != piece or known.findings != group:
-                known = _PlacedPiece(group, piece, [_placed(one, piece) for one in group])
-            if all(_is_inside(one, piece) for one in group):
-                self._kept[piece.address] = known
-            yield from known.placed
+                known = _place_all(group, piece)
+            else:
+                for index in known.wide:
+                    known.placed[index] = _placed(group[index])
+            self._kept[piece.address] = known
+            placed += known.placed
             first = last
+        return placed
 
 
-def _is_inside(finding: Diagnostic, piece: Piece) -> bool:
-    """Whether a finding names no place outside of a piece, and no line."""
-    if finding.span is None or isinstance(finding.violation, UnclosedBlock):
-        return False
-    spans = [finding.span, *(one.span for one in finding.related)]
-    if finding.fix is not None:
-        spans += [one.span for one in finding.fix.edits]
-    return all(piece.contains(span) for span in spans)
+def _place_all(findings: Sequence[Diagnostic], piece: Piece) -> _PlacedPiece:
+    source, written, begin, end = piece.source, piece.source.written, piece.address, piece.end
+    shift = piece.start - begin
+    placed: list[Diagnostic] = []
+    wide: list[int] = []
+    for one in findings:
+        span = one.span
+        places = () if span is None else (span, *[other.span for other in one.related])
+        if one.fix is not None:
+            places += tuple([edit.span for edit in one.fix.edits])
+        for place in places:
+            if place.start < begin or place.end > end or place.source is not source:
+                is_wide = True
+                break
+        else:
+            is_wide = span is None or isinstance(one.violation, UnclosedBlock)
+        if is_wide or span is None:
+            wide.append(len(placed))
+            placed.append(_placed(one))
+            continue
+        # Spans inside the piece move with it; most findings have one or two.
+        moved = [Span(written, place.start + shift, place.end + shift) for place in places]
+        related = one.related
+        if related:
+            count = len(related)
+            related = tuple([Related(moved[k + 1], related[k].message) for k in range(count)])
+        fix = one.fix
+        if fix is not None:
+            spans = moved[len(related) + 1 :]
+            edits = [Edit(at, edit.text) for at, edit in zip(spans, fix.edits, strict=True)]
+            fix = Fix(fix.title, tuple(edits), fix.safe)
+        placed.append(Diagnostic(one.violation, moved[0], related, fix, one.routine, one.assumed))
+    return _PlacedPiece(findings, piece, placed, wide)
 
 
-def _placed(finding: Diagnostic, piece: Piece) -> Diagnostic:
+def _placed(finding: Diagnostic) -> Diagnostic:
+    """Return a finding with all its places, wherever they are, in files as written."""
     related = finding.related
     if related:
-        related = tuple([Related(piece.placed(one.span), one.message) for one in related])
+        related = tuple([Related(one.span.written, one.message) for one in related])
     return Diagnostic(
         _of_line(finding.violation, related) if related else finding.violation,
-        None if finding.span is None else piece.placed(finding.span),
+        None if finding.span is None else finding.span.written,
         related,
-        None if finding.fix is None else _fix(finding.fix, piece),
+        None if finding.fix is None else _fix(finding.fix),
         finding.routine,
         finding.assumed,
     )
 
 
-def _fix(fix: Fix, piece: Piece) -> Fix:
-    edits = tuple([Edit(piece.placed(one.span), one.text) for one in fix.edits])
+def _fix(fix: Fix) -> Fix:
+    edits = tuple([Edit(one.span.written, one.text) for one in fix.edits])
     return Fix(fix.title, edits, fix.safe)
 
 

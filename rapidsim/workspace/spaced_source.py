@@ -12,7 +12,7 @@ from bisect import bisect_right
 from collections.abc import Iterator, Sequence
 from itertools import pairwise
 
-from rapidsim.diagnostics import Source, Span
+from rapidsim.diagnostics import Source
 from rapidsim.values import value_class
 
 _LEAST_ROOM = 120
@@ -27,22 +27,10 @@ class Piece:
     start: int
     """Offset in the file."""
     address: int
-    end_address: int
+    end: int
     """Address past the text of the piece; room follows."""
     next_address: int
     """Address of the next piece."""
-
-    def contains(self, span: Span) -> bool:
-        """Whether a span lies in this piece."""
-        is_inside = self.address <= span.start and span.end <= self.end_address
-        return is_inside and span.source is self.source
-
-    def placed(self, span: Span) -> Span:
-        """Return a span of any text in its file as written; quick if it lies in this piece."""
-        if not self.contains(span):
-            return span.written
-        shift = self.start - self.address
-        return Span(self.source.written, span.start + shift, span.end + shift)
 
 
 class SpacedSource(Source):
