@@ -10,7 +10,7 @@ from bisect import bisect_left
 from collections.abc import Iterable, Sequence
 from operator import attrgetter
 
-from rapidsim.diagnostics import Diagnostic, Edit, Fix, Related, Span, Violation
+from rapidsim.diagnostics import Diagnostic, Edit, Fix, Related, Source, Span, Violation
 from rapidsim.syntax.violations import UnclosedBlock
 from rapidsim.values import value_class
 from rapidsim.workspace.spaced_source import Piece, SpacedSource
@@ -68,33 +68,33 @@ def _place_all(findings: Sequence[Diagnostic], piece: Piece) -> _PlacedPiece:
     placed: list[Diagnostic] = []
     wide: list[int] = []
     for one in findings:
-        span = one.span
-        places = () if span is None else (span, *[other.span for other in one.related])
-        if one.fix is not None:
-            places += tuple([edit.span for edit in one.fix.edits])
-        for place in places:
+        span, related, fix = one.span, one.related, one.fix
+        is_wide = span is None or span.end > end or isinstance(one.violation, UnclosedBlock)
+        for other in related:
+            place = other.span
             if place.start < begin or place.end > end or place.source is not source:
                 is_wide = True
-                break
-        else:
-            is_wide = span is None or isinstance(one.violation, UnclosedBlock)
+        for edit in () if fix is None else fix.edits:
+            place = edit.span
+            if place.start < begin or place.end > end or place.source is not source:
+                is_wide = True
         if is_wide or span is None:
             wide.append(len(placed))
             placed.append(_placed(one))
             continue
-        # Spans inside the piece move with it; most findings have one or two.
-        moved = [Span(written, place.start + shift, place.end + shift) for place in places]
-        related = one.related
         if related:
-            count = len(related)
-            related = tuple([Related(moved[k + 1], related[k].message) for k in range(count)])
-        fix = one.fix
+            places = [_moved(other.span, written, shift) for other in related]
+            related = tuple(map(Related, places, [other.message for other in related]))
         if fix is not None:
-            spans = moved[len(related) + 1 :]
-            edits = [Edit(at, edit.text) for at, edit in zip(spans, fix.edits, strict=True)]
+            edits = [Edit(_moved(edit.span, written, shift), edit.text) for edit in fix.edits]
             fix = Fix(fix.title, tuple(edits), fix.safe)
-        placed.append(Diagnostic(one.violation, moved[0], related, fix, one.routine, one.assumed))
+        span = Span(written, span.start + shift, span.end + shift)
+        placed.append(Diagnostic(one.violation, span, related, fix, one.routine, one.assumed))
     return _PlacedPiece(findings, piece, placed, wide)
+
+
+def _moved(span: Span, source: Source, distance: int) -> Span:
+    return Span(source, span.start + distance, span.end + distance)
 
 
 def _placed(finding: Diagnostic) -> Diagnostic:
