@@ -188,7 +188,7 @@ class CheckedTask:
         check, module = self._check, edited.module
         if not all(self._is_plain(one, module) for one in (*edited.removed, *edited.added)):
             return False
-        loads, unread = bool(check.loading), dict(check.unread)
+        loads = bool(check.loading)
         names = check.change_items(module, edited.removed, edited.added)
         if (
             names is None
@@ -196,10 +196,16 @@ class CheckedTask:
             or not all(map(str.isascii, names))
         ):
             return False
-        if bool(check.loading) != loads or check.unread != unread:
+        if bool(check.loading) != loads or self._depends_on_unread(check.declarations):
             return False
         names |= check.forget_nearest(names)
         data = {item: module for item in edited.added if isinstance(item, tree.Data)}
+        data |= {
+            item: home
+            for home in check.modules
+            for item in home.items
+            if isinstance(item, tree.Data) and self._depends_on_unread(check.values[item])
+        }
         values = self._users_of(data, names)
         names |= {item.name.key for item in values}
         if self._determines_sizes(names):
@@ -207,7 +213,9 @@ class CheckedTask:
         again: dict[tree.Routine, tree.Module] = {}
         for part in self._facts.routine_parts:
             routine = part.routine
-            if routine in check.units and not names.isdisjoint(part.words):
+            if routine in check.units and (
+                not names.isdisjoint(part.words) or self._depends_on_unread(check.units[routine])
+            ):
                 self._forget(part)
                 again[routine] = part.module
         new = {item: module for item in edited.added if isinstance(item, tree.Routine)}
@@ -244,7 +252,7 @@ class CheckedTask:
         if isinstance(item, tree.Data):
             return not item.dimensions and types.resolves(item.type.key, module)
         if not isinstance(item, tree.Routine):
-            return False
+            return isinstance(item, tree.InvalidStatement)
         named = [
             node.type.key
             for node in descendants(item)

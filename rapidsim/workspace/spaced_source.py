@@ -121,9 +121,15 @@ class SpacedSource(Source):
         address = self._addresses[piece]
         return piece, address, address + self._end(piece) - self._starts[piece]
 
-    def end_address(self, piece: int) -> int:
-        """Address past the text of a piece."""
-        return self._addresses[piece] + self._end(piece) - self._starts[piece]
+    def addresses(self, piece: int) -> tuple[int, int]:
+        """Addresses of the beginning and the end of the text of a piece."""
+        begin = self._addresses[piece]
+        return begin, begin + self._end(piece) - self._starts[piece]
+
+    def text_of(self, piece: int) -> str:
+        """The text of a piece."""
+        begin, end = self.addresses(piece)
+        return self.text[begin:end]
 
     def piece_of(self, address: int) -> int:
         """Number of the piece that contains an address; those with odd numbers are items."""

@@ -152,6 +152,7 @@ class TaskCheck:
         module.take_items(tuple(sorted(items, key=lambda item: item.start)))
         for item in added:
             self.read_item(item, module)
+        self.analysis.unread_text = "\n".join(self.unread.values())
         before = {node for _, node in self._accepted} - old
         self._accepted = self._find_accepted()
         if {node for _, node in self._accepted}.difference(added) != before:
