@@ -71,7 +71,8 @@ def item_ranges(tokens: Tokens, text: str) -> Iterator[tuple[int, int]]:
         elif kind == wanted:
             start, end = tokens.starts[begin], tokens.ends[index]
             line = _line_start(text, start)
-            if not text[line:start].strip() and _is_last_on_line(text, end):
+            is_head = kind == "MODULE" and LINE_END.search(text, start, end) is not None
+            if not (is_head or text[line:start].strip()) and _is_last_on_line(text, end):
                 yield line, end
             wanted = ""
         elif kind in _ENDS:

@@ -9,7 +9,7 @@ from rapidsim.analysis.cell_names import CellNames
 from rapidsim.analysis.context import MOST_COMPARED, UnitResults
 from rapidsim.analysis.passes.checker import Find
 from rapidsim.analysis.passes.task_check import TaskCheck, deep_recursion
-from rapidsim.analysis.program_parts import ENTRY, Facts, ProgramPart
+from rapidsim.analysis.program_parts import Facts, ProgramPart
 from rapidsim.analysis.suppressions import without_suppressed
 from rapidsim.analysis.tree_walk import clauses, descendants, statements
 from rapidsim.diagnostics import Diagnostic
@@ -27,8 +27,6 @@ _HEADERS = frozenset(
     {tree.Proc, tree.Func, tree.Trap, tree.ParameterDeclaration, tree.OptionalGroup}
 )
 """Kinds of nodes that a routine keeps when its body changes."""
-_MEANT_UNNAMED = frozenset({ENTRY})
-"""Names whose declaration means something to routines that do not name them."""
 
 
 class CheckedTask:
@@ -190,11 +188,7 @@ class CheckedTask:
             return False
         loads = bool(check.loading)
         names = check.change_items(module, edited.removed, edited.added)
-        if (
-            names is None
-            or not names.isdisjoint(_MEANT_UNNAMED)
-            or not all(map(str.isascii, names))
-        ):
+        if names is None or not all(map(str.isascii, names)):
             return False
         if bool(check.loading) != loads or self._depends_on_unread(check.declarations):
             return False

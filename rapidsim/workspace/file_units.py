@@ -79,6 +79,13 @@ class _Fault:
     last: int
     diagnostics: Sequence[Diagnostic]
 
+    def is_in(self, item: tree.Item | None) -> bool:
+        """Whether all errors are in the body of a routine."""
+        return isinstance(item, tree.RoutineNode) and all(
+            one.span is not None and item.header_end <= one.span.start < item.end
+            for one in self.diagnostics
+        )
+
 
 class FileUnits:
     """The tree of a file, with comments and findings of the text by piece."""
@@ -168,8 +175,9 @@ class FileUnits:
         if not self._is_apart(piece, start, end):
             return None
         module = self._items[piece][0]
-        own = [one for one in self._faults if (one.first, one.last) == (piece, piece + _REACH)]
-        before = [one for one in self._faults if one.first < piece <= one.last]
+        near = [one for one in self._faults if one.first <= piece <= one.last]
+        own = [one for one in near if one.is_in(item)]
+        before = [one for one in near if one not in own]
         behind = [one for one in self._faults if piece < one.first <= piece + _REACH]
         if before:
             return self._parse_around(piece)
