@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import re
 from collections import defaultdict
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, ItemsView, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property, reduce
 from operator import or_
@@ -109,7 +109,7 @@ class Facts:
     memo: dict[tree.Node, Any] = field(default_factory=dict)
     """The interpretation of calls, by call: see `rules/facts/instruction_questions.py`."""
     columns: dict[Callable[..., Any], dict[ProgramPart, Any]] = field(default_factory=dict)
-    """Results of functions of one part for all parts, by function: see `in_parts`."""
+    """Results of functions of one part that are not empty, by function: see `in_parts`."""
 
     def of_part(self, function: Callable[[ProgramPart, Facts], V], part: ProgramPart) -> V:
         """Return the result of a function of one part, computed once as long as the part stays.
@@ -125,7 +125,7 @@ class Facts:
             result = part.memo[function] = function(part, self)
         return result
 
-    def in_parts(self, function: Callable[[ProgramPart, Facts], V]) -> list[tuple[ProgramPart, V]]:
+    def in_parts(self, function: Callable[[ProgramPart, Facts], V]) -> ItemsView[ProgramPart, V]:
         """Return the results of a function of one part that are not empty, each with its part.
 
         Args:
@@ -133,9 +133,21 @@ class Facts:
         """
         column = self.columns.get(function)
         if column is None:
-            column = {part: self.of_part(function, part) for part in self.parts}
-            self.columns[function] = column
-        return [(part, result) for part, result in column.items() if result]
+            results = ((part, self.of_part(function, part)) for part in self.parts)
+            column = self.columns[function] = {part: one for part, one in results if one}
+        return column.items()
+
+    def _renew_columns(self, part: ProgramPart) -> None:
+        """Put the results of a part that was read again in place of those before."""
+        for function, column in list(self.columns.items()):
+            result = self.of_part(function, part)
+            if part in column and result:
+                column[part] = result
+            elif part in column:
+                del column[part]
+            elif result:
+                # Its place is between others.
+                del self.columns[function]
 
     def only(self, part: ProgramPart) -> Facts:
         """Return the facts as if the task had only one part."""
@@ -155,8 +167,7 @@ class Facts:
         for part in changed:
             before = {one: part.memo.get(one) for of in kept.values() for one in of}
             part.renew()
-            for function, column in self.columns.items():
-                column[part] = facts.of_part(function, part)
+            facts._renew_columns(part)
             # What follows from results that stay, stays.
             kept = {
                 name: of

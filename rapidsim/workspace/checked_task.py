@@ -38,6 +38,7 @@ class CheckedTask:
     task checked.
     """
 
+    @gc_paused()
     def __init__(
         self,
         task: TaskFiles,

@@ -256,8 +256,10 @@ class TaskCheck:
         for unit in units.values():
             for name, of in unit.signals.items():
                 analysis.signals.setdefault(name, of)
-            analysis.unknown |= unit.unknown
-            analysis.undeclared += unit.undeclared
+            if unit.unknown:
+                analysis.unknown |= unit.unknown
+            if unit.undeclared:
+                analysis.undeclared += unit.undeclared
         compared = compared_signals(analysis) if analysis.cell.assumes else frozenset[str]()
         reported: set[str] = set()
         before, self._decisions = self._decisions, {}
@@ -315,10 +317,8 @@ class _Decisions:
     ) -> None:
         """Decide them; see `decide_undeclared`."""
         self._unit = unit
-        self._known = {
-            reference.name.key: self._knowledge(reference.name.key, analysis, reported)
-            for reference, _ in unit.undeclared
-        }
+        self._keys = list(dict.fromkeys(reference.name.key for reference, _ in unit.undeclared))
+        self._known = self._knowledge(analysis, reported)
         open_uses = {
             reference: reference in analysis.type_of
             for reference, _ in unit.undeclared
@@ -340,10 +340,9 @@ class _Decisions:
 
         What else a name may be depends on more of the task.
         """
-        return unit is self._unit and all(
-            before[0] is not None and before == self._knowledge(key, analysis, reported)
-            for key, before in self._known.items()
-        )
+        kinds = self._known[0]
+        is_same = unit is self._unit and self._known == self._knowledge(analysis, reported)
+        return is_same and None not in kinds
 
     def withdraw(self, analysis: Analysis) -> None:
         """Remove the decisions from the tables."""
@@ -352,10 +351,12 @@ class _Decisions:
             if not has_own_type:
                 analysis.type_of.pop(reference, None)
 
-    @staticmethod
-    def _knowledge(key: str, analysis: Analysis, reported: set[str]) -> tuple[Type | None, bool]:
-        """Kind of a signal, if it is known from its use, and whether it was reported."""
-        return analysis.signals.get(key), key in reported
+    def _knowledge(
+        self, analysis: Analysis, reported: set[str]
+    ) -> tuple[list[Type | None], list[bool]]:
+        """The kinds of signals that are known from their use, and whether they were reported."""
+        kinds = [analysis.signals.get(key) for key in self._keys]
+        return kinds, [key in reported for key in self._keys]
 
 
 def _unit_name(finding: Diagnostic) -> str | None:

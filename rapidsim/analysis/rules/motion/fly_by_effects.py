@@ -106,8 +106,10 @@ class _Outcome:
 class _Summaries:
     """The summaries of routines as long as the call graph stays."""
 
+    flying: int
+    """The bits of the routines with fly-by moves."""
     relevant: int
-    """The bits of the routines."""
+    """The bits of the routines with a summary."""
     parts: Sequence[ProgramPart]
     by_part: dict[ProgramPart, _Summary]
 
@@ -133,18 +135,19 @@ def effects_behind_moves(
             outcome = part.memo[_Outcome] = _Outcome(callees, analysis.summary(), effects)
         return outcome.summary
 
-    relevant = _relevant(facts)
+    flying = mask_of(_fly_by_moves, facts)
     known: _Summaries | None = facts.calls_memo.get(_Summaries)
-    if known is not None and known.relevant == relevant and not relevant & facts.recursive:
+    if known is not None and known.flying == flying and not known.relevant & facts.recursive:
         changed = [part for part in known.parts if _Outcome not in part.memo]
         callers = facts.callers.__getitem__
         resummarise(known.by_part, changed, facts.component_of, callers, summary_of)
     else:
+        relevant = _relevant(flying, facts)
         parts = [part for part, bit in facts.bit_of.items() if bit & relevant]
         order = [one for one in facts.components if facts.bit_of[one[0]] & relevant]
         callees = facts.call_graph.__getitem__
         found = summarise(parts, callees, _Summary(), summary_of, order)
-        known = facts.calls_memo[_Summaries] = _Summaries(relevant, parts, found)
+        known = facts.calls_memo[_Summaries] = _Summaries(flying, relevant, parts, found)
     for part in known.parts:
         outcome = part.memo[_Outcome]
         if outcome.effects:
@@ -160,9 +163,8 @@ def _fly_by_moves(part: ProgramPart, facts: Facts) -> list[tree.Call]:
     return [call for call in part.all(tree.Call) if _is_fly_by(call, facts)]
 
 
-def _relevant(facts: Facts) -> int:
+def _relevant(flying: int, facts: Facts) -> int:
     """The bits of the routines with fly-by moves, their callers, and all callees of those."""
-    flying = mask_of(_fly_by_moves, facts)
     relevant = 0
     for reached in facts.reached_from.values():
         relevant |= reached if reached & flying else 0

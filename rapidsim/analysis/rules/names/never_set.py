@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from rapidsim.analysis.program import DataSymbol, Storage, Symbol
+from rapidsim.analysis.program import DataSymbol, Scope, Storage, Symbol
 from rapidsim.analysis.program_parts import Facts, ProgramPart
 from rapidsim.analysis.rules.facts.changed_data import changed_in
 from rapidsim.diagnostics import Diagnostic, Violation
@@ -78,5 +78,5 @@ def _clears(symbol: DataSymbol) -> bool:
 def _all_is_seen(symbol: DataSymbol, facts: Facts) -> bool:
     """Whether all code that could set the data is available."""
     assert symbol.node is not None
-    is_outside = symbol.module is not None and symbol.node in symbol.module.items
+    is_outside = symbol.module is not None and symbol.scope is not Scope.ROUTINE
     return not is_outside or symbol.node.scope == "LOCAL" or facts.is_whole

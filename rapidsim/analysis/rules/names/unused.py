@@ -77,9 +77,9 @@ def find_unused_routines(facts: Facts) -> Iterator[Diagnostic]:
         assert part.routine is not None
         if part.routine.scope != "LOCAL" and not facts.is_whole:
             continue
-        if key in facts.strings or facts.analysis.may_be_unread(key):
+        if _is_used_elsewhere(key, part, facts) or key in facts.strings:
             continue
-        if _is_used_elsewhere(key, part, facts) or any(p.fullmatch(key) for p in patterns):
+        if facts.analysis.may_be_unread(key) or any(p.fullmatch(key) for p in patterns):
             continue
         yield finding
 
