@@ -125,7 +125,9 @@ class Facts:
             result = part.memo[function] = function(part, self)
         return result
 
-    def in_parts(self, function: Callable[[ProgramPart, Facts], V]) -> ItemsView[ProgramPart, V]:
+    def in_parts(
+        self, function: Callable[[ProgramPart, Facts], V | None]
+    ) -> ItemsView[ProgramPart, V]:
         """Return the results of a function of one part that are not empty, each with its part.
 
         Args:

@@ -173,9 +173,7 @@ def parse_items(
     return None
 
 
-def _as_module(
-    tokens: Tokens, end: int, module: tree.Module, *, closes: bool = False
-) -> Tokens:
+def _as_module(tokens: Tokens, end: int, module: tree.Module, *, closes: bool = False) -> Tokens:
     """Tokens of a module that contains only the given ones, which may have its end."""
     name = module.name
     if closes:

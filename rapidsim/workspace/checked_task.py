@@ -19,7 +19,7 @@ from rapidsim.syntax.garbage_collection import gc_paused
 from rapidsim.workspace.changes import Changed, TextChange, changed_text
 from rapidsim.workspace.file_units import Edited, EditedData, EditedItems, EditedRoutine, FileUnits
 from rapidsim.workspace.guesses import without_guesses
-from rapidsim.workspace.placing import FilePlaces
+from rapidsim.workspace.placing import FilePlaces, addressed, renumbered
 from rapidsim.workspace.task_rules import TaskRules
 from rapidsim.workspace.total_order import in_total_order
 
@@ -92,6 +92,33 @@ class CheckedTask:
             shown = without_suppressed(found, [written], is_looked_for=self._is_looked_for)
             self._findings[path] = in_total_order(shown)
         return self._findings[path]
+
+    @gc_paused()
+    def as_checked(self) -> tuple[tuple[tree.File, ...], tuple[Diagnostic, ...]]:
+        """Return the trees and all findings, none suppressed, at their places in the trees.
+
+        Findings have the order of a check: by place, those at one place by detector.
+        """
+        of_syntax = [
+            renumbered(one)
+            for units in self._units.values()
+            for one in sorted(units.diagnostics, key=lambda one: one.order)
+        ]
+        found = [
+            *self._check.diagnostics(),
+            *self._rules.in_task(self._facts),
+            *(
+                addressed(one, units.source)
+                for units in self._units.values()
+                for one in self._rules.in_file(units)
+            ),
+        ]
+        files = tuple(self._trees.values())
+        found.sort(key=self._rules.rank)
+        found = [*of_syntax, *without_guesses(found, of_syntax, files)]
+        numbers = {path: number for number, path in enumerate(self._trees)}
+        found.sort(key=lambda one: (numbers.get(one.order[0], -1), one.order[1]))
+        return files, tuple(found)
 
     @gc_paused()
     def change(self, path: str, change: TextChange) -> Changed:

@@ -122,7 +122,9 @@ class FileUnits:
         start, end = found.span.start, found.span.end
         first = last = self.source.piece_of(start)
         routine = self._alone(first)
-        if not (isinstance(routine, tree.RoutineNode) and routine.header_end <= start < routine.end):
+        if not (
+            isinstance(routine, tree.RoutineNode) and routine.header_end <= start < routine.end
+        ):
             # The item that contains it, or ends before it, may begin long before.
             items = [item for one in self.modules for item in one.items]
             number = bisect_right(items, start, key=lambda item: item.start)
@@ -208,7 +210,8 @@ class FileUnits:
                 return routine
             case _, (tree.Data() as data,) if self.source.is_piece(data.start, data.end + 1):
                 return data if self.source.text[data.end : data.end + 1] == ";" else None
-        return None
+            case _:
+                return None
 
     def _is_apart(self, piece: int, start: int, end: int) -> bool:
         """Whether the text of a piece has no word, string or comment in common with the next."""
@@ -268,8 +271,9 @@ class FileUnits:
         """Widen a range of pieces by the errors that depend on some of them."""
         while True:
             near = [one for one in self._faults if one.first <= last and first <= one.last]
-            wider = min([first, *(one.first for one in near)]), max(
-                [last, *(one.last for one in near)]
+            wider = (
+                min([first, *(one.first for one in near)]),
+                max([last, *(one.last for one in near)]),
             )
             if wider == (first, last):
                 return wider

@@ -7,7 +7,8 @@ of a text are kept until they or the place of the piece change.
 from __future__ import annotations
 
 from bisect import bisect_left
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import replace
 from operator import attrgetter
 
 from rapidsim.diagnostics import Diagnostic, Edit, Fix, Related, Source, Span, Violation
@@ -115,6 +116,28 @@ def _placed(finding: Diagnostic) -> Diagnostic:
 def _fix(fix: Fix) -> Fix:
     edits = tuple([Edit(one.span.written, one.text) for one in fix.edits])
     return Fix(fix.title, edits, fix.safe)
+
+
+def addressed(finding: Diagnostic, source: SpacedSource) -> Diagnostic:
+    """Return a finding in a text as written with its places in the spaced text."""
+    return moved(
+        finding, lambda span: Span(source, source.address(span.start), source.address(span.end))
+    )
+
+
+def moved(finding: Diagnostic, place: Callable[[Span], Span]) -> Diagnostic:
+    """Return a finding with each of its spans replaced."""
+    fix = finding.fix
+    if fix is not None:
+        fix = replace(fix, edits=tuple(Edit(place(one.span), one.text) for one in fix.edits))
+    related = tuple(Related(place(one.span), one.message) for one in finding.related)
+    span = None if finding.span is None else place(finding.span)
+    return replace(finding, span=span, related=related, fix=fix)
+
+
+def renumbered(finding: Diagnostic) -> Diagnostic:
+    """Return a finding with the present number of the line that it names."""
+    return replace(finding, violation=_of_line(finding.violation, finding.related))
 
 
 def _of_line(violation: Violation, related: tuple[Related, ...]) -> Violation:

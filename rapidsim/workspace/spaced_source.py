@@ -12,7 +12,7 @@ from bisect import bisect_right
 from collections.abc import Iterator, Sequence
 from itertools import pairwise
 
-from rapidsim.diagnostics import Source
+from rapidsim.diagnostics import LINE_END, Source
 from rapidsim.values import value_class
 
 _LEAST_ROOM = 120
@@ -49,7 +49,9 @@ class SpacedSource(Source):
             ranges: Offsets of the pieces with odd numbers, in order; the others lie between them.
         """
         super().__init__(file, "")
-        self._filling = "\n" if "\n" in text else "\r"
+        # Corrections copy the line end that they find.
+        line_end = LINE_END.search(text)
+        self._filling = line_end.group() if line_end else "\n"
         marks = [0, *(mark for one in ranges for mark in one), len(text)]
         self._starts = marks[:-1]
         """Offsets of the pieces in the file; those with odd numbers are single items."""
@@ -60,7 +62,7 @@ class SpacedSource(Source):
             self._addresses.append(address)
             is_between = 0 < number < len(marks) - 2
             room = (_LEAST_ROOM + (end - start) * (number % 2)) * is_between
-            pieces.append(text[start:end] + self._filling * room)
+            pieces.append(text[start:end] + self._room(room))
             address += end - start + room
         self._written = Source(file, "")
         self._set_texts(text, "".join(pieces))
@@ -169,11 +171,16 @@ class SpacedSource(Source):
         self._set_texts(
             f"{written[:start]}{text}{written[end:]}",
             f"{self.text[:begin]}{text}{self.text[begin + end - start : stop]}"
-            f"{self._filling * room}{self.text[next_address:]}",
+            f"{self._room(room)}{self.text[next_address:]}",
         )
         for later in range(piece + 1, len(self._starts)):
             self._starts[later] += growth
         return True
+
+    def _room(self, size: int) -> str:
+        """Line ends with so many characters together."""
+        count, rest = divmod(size, len(self._filling))
+        return self._filling * count + self._filling[-1] * rest
 
     def _end(self, piece: int) -> int:
         """Offset in the file past a piece."""

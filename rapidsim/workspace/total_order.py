@@ -18,8 +18,9 @@ def in_total_order(findings: Iterable[Diagnostic]) -> tuple[Diagnostic, ...]:
     if not repeated:
         return tuple(found)
     listed: list[Diagnostic] = []
-    for place, group in groupby(found, key=_ORDER):
-        listed += _of_one_place(list(group)) if place in repeated else group
+    for place, findings in groupby(found, key=_ORDER):
+        group = list(findings)
+        listed += _of_one_place(group) if place in repeated else group
     return tuple(listed)
 
 

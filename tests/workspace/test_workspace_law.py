@@ -160,6 +160,12 @@ BODY = "MODULE m\n{}  PROC main()\n{}  ENDPROC\n{}ENDMODULE\n"
             id="the file had another line end",
         ),
         pytest.param(
+            BODY.format("", "    x := 1;\n", "")[: -len("ENDMODULE\n")].replace("\n", "\r\n"),
+            "x := 1",
+            "x := 12",
+            id="a fix adds a line with the line end of the file",
+        ),
+        pytest.param(
             BODY.format("", "    VAR other x;\n    x:=[1,2];\n", "  VAR other y;\n"),
             "x:=[1,2]",
             "x:=[1]",

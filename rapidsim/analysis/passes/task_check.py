@@ -251,8 +251,9 @@ class TaskCheck:
         """
         analysis = self.analysis
         analysis.signals, analysis.unknown, analysis.undeclared = {}, {}, []
-        units: dict[tree.Item | None, UnitResults]
-        units = {None: self.declarations, **self.values, **self.units}
+        units: dict[tree.Item | None, UnitResults] = {None: self.declarations}
+        units.update(self.values.items())
+        units.update(self.units.items())
         for unit in units.values():
             for name, of in unit.signals.items():
                 analysis.signals.setdefault(name, of)

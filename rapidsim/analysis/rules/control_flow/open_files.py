@@ -36,8 +36,8 @@ def find_opened_in_loops(facts: Facts) -> Iterator[Diagnostic]:
 
 def _loop_bodies(part: ProgramPart, facts: Facts) -> list[tree.Body]:
     del facts
-    loops = (*part.all(tree.For), *part.all(tree.While))
-    return [loop.body for loop in loops]
+    bodies = [loop.body for loop in part.all(tree.For)]
+    return bodies + [loop.body for loop in part.all(tree.While)]
 
 
 def _has_opening(part: ProgramPart, facts: Facts) -> bool:

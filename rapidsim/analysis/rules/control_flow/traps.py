@@ -42,9 +42,8 @@ def find_never_connected(facts: Facts) -> Iterator[Diagnostic]:
     if facts.analysis.loads_modules or not facts.is_read:
         return
     uses = facts.in_parts(_interrupts_of)
-    found = [(part, one) for part, one in uses if one is not None]
-    connected = {symbol: None for _, one in found for symbol in one.connected}
-    for part, one in found:
+    connected = {symbol: None for _, one in uses for symbol in one.connected}
+    for part, one in uses:
         for call, value, symbol in one.orders:
             if symbol not in connected:
                 names = {known.name.lower(): known.name for known in connected}

@@ -5,7 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from rapidsim.analysis.program_parts import Facts, ProgramPart
-from rapidsim.analysis.rules.facts.modes_in_force import UnrestoredMode, settings_of, unrestored_modes
+from rapidsim.analysis.rules.facts.modes_in_force import (
+    UnrestoredMode,
+    settings_of,
+    unrestored_modes,
+)
 from rapidsim.diagnostics import Diagnostic, Violation
 from rapidsim.library.traits import Trait
 from rapidsim.syntax import tree

@@ -19,8 +19,8 @@ class DriftingTarget(Violation, code="M517"):
 def find_drifting_targets(facts: Facts) -> Iterator[Diagnostic]:
     """Report `p:=Offs(p,..)` on a PERS without any other assignment in the program."""
     found: dict[DataSymbol, list[tuple[tree.Node, Diagnostic]]] = {}
-    for _, drifts in facts.in_parts(_drifts):
-        for symbol, assignment, finding in drifts:
+    for _, own_drifts in facts.in_parts(_drifts):
+        for symbol, assignment, finding in own_drifts:
             found.setdefault(symbol, []).append((assignment, finding))
     for symbol, drifts in found.items():
         own = {assignment for assignment, _ in drifts}
@@ -37,7 +37,7 @@ def find_drifting_targets(facts: Facts) -> Iterator[Diagnostic]:
 def _drifts(
     part: ProgramPart, facts: Facts
 ) -> list[tuple[DataSymbol, tree.Assignment, Diagnostic]]:
-    """Persistents that a part displaces from themselves, with the finding if nothing else sets them."""
+    """Persistents that a part displaces from themselves; findings if nothing else sets them."""
     found: list[tuple[DataSymbol, tree.Assignment, Diagnostic]] = []
     for assignment in part.all(tree.Assignment):
         target, value = assignment.target, assignment.value

@@ -62,9 +62,7 @@ def find_metres(facts: Facts) -> Iterator[Diagnostic]:
     """Report targets at the base of the arm, and tools shorter than a millimetre."""
     reported: set[object] = set()
     whole = dict(facts.in_parts(_of_whole_routine))
-    for finding in whole.values():
-        if finding is not None:
-            yield finding
+    yield from whole.values()
     for part, found in facts.in_parts(_at_foot):
         for symbol, finding in () if part in whole else found:
             if symbol not in reported:

@@ -54,9 +54,7 @@ def _names_in(module: tree.Module, facts: Facts) -> set[str]:
     return set().union(*(part.names for part in facts.parts if part.module is module))
 
 
-def _seemingly_unused(
-    part: ProgramPart, facts: Facts
-) -> list[tuple[str, tree.Data, Diagnostic]]:
+def _seemingly_unused(part: ProgramPart, facts: Facts) -> list[tuple[str, tree.Data, Diagnostic]]:
     """Data that the part itself does not use, by folded name, with the finding if nothing does."""
     del facts
     return [
