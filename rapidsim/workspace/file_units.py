@@ -237,12 +237,16 @@ class FileUnits:
             stop = min(last, inner[-1])
             if first < inner[0] or stop - first > _MOST_PIECES:
                 return None
-            parsed = self._parse_pieces(first, stop, module, closes=last > stop)
-            if parsed is None or (last > stop and module is not self.modules[-1]):
+            closes = last > stop
+            if closes and (module is not self.modules[-1] or self._has_faults_behind(stop)):
+                # A correction looks at the text behind the module.
+                return None
+            parsed = self._parse_pieces(first, stop, module, closes=closes)
+            if parsed is None:
                 return None
             kept, reach = self._unchanged(parsed, piece, first, stop)
             is_faulty = bool(parsed.diagnostics)
-            if reach + _REACH * is_faulty <= last or last > stop:
+            if reach + _REACH * is_faulty <= last or closes:
                 break
             last = max(reach + _REACH, last + (last - first))
         if _depends_on_line_end(parsed.diagnostics, self.source):
@@ -265,6 +269,15 @@ class FileUnits:
             module,
             tuple(item for item in removed if item not in stay),
             tuple(item for item in added if item not in stay),
+        )
+
+    def _has_faults_behind(self, piece: int) -> bool:
+        """Whether there is an error behind a piece."""
+        _, end = self.source.addresses(piece)
+        return any(
+            one.span is None or end < one.span.start
+            for fault in self._faults
+            for one in fault.diagnostics
         )
 
     def _with_faults(self, first: int, last: int) -> tuple[int, int]:
