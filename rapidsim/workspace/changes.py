@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable
 
 from rapidsim.values import value_class
 
@@ -52,7 +52,7 @@ def text_difference(before: str, after: str) -> TextChange | None:
     return TextChange(start, len(before) - end, after[start : len(after) - end])
 
 
-def _shared(one: Sequence[str], other: Sequence[str]) -> int:
+def _shared(text: str, second: str) -> int:
     """Number of equal characters at the beginning of two texts."""
-    pairs = enumerate(zip(one, other, strict=False))
-    return next((k for k, (a, b) in pairs if a != b), min(len(one), len(other)))
+    pairs = enumerate(zip(text, second, strict=False))
+    return next((k for k, (a, b) in pairs if a != b), min(len(text), len(second)))

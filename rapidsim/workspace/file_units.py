@@ -20,7 +20,6 @@ from rapidsim.syntax.routine_text import (
     parse_items,
     parse_routine,
 )
-from rapidsim.syntax.violations import UnclosedBlock
 from rapidsim.values import value_class
 from rapidsim.workspace.changes import TextChange
 from rapidsim.workspace.spaced_source import SpacedSource
@@ -97,7 +96,7 @@ class FileUnits:
         parsed = parse_tokens(_spaced(tokens, self.source), self.source)
         self.modules = parsed.file.modules
         self._items: dict[int, tuple[tree.Module, tuple[tree.Item, ...]]] = {}
-        """What begins in each piece between the head and the end of a module, with the module."""
+        """Items by the piece in which they begin, but the head and the end of their module."""
         for module in self.modules:
             self._take_module(module)
         self._comments: dict[int, list[tree.Comment]] = {}
@@ -115,11 +114,11 @@ class FileUnits:
                 found[piece].append(item)
         self._items |= {piece: (module, tuple(items)) for piece, items in found.items()}
 
-    def _fault(self, found: Diagnostic) -> _Fault:
+    def _fault(self, error: Diagnostic) -> _Fault:
         """An error in the file as a whole, with what it may depend on."""
-        if found.span is None:
-            return _Fault(0, len(self._items) + _REACH, (found,))
-        start, end = found.span.start, found.span.end
+        if error.span is None:
+            return _Fault(0, len(self._items) + _REACH, (error,))
+        start, end = error.span.start, error.span.end
         first = last = self.source.piece_of(start)
         routine = self._alone(first)
         if not (
@@ -133,7 +132,7 @@ class FileUnits:
                     first = min(first, self.source.piece_of(item.start))
                     end = max(end, item.end)
             last = self.source.piece_of(end)
-        return _Fault(first, last + _REACH, (found,))
+        return _Fault(first, last + _REACH, (error,))
 
     @property
     def file(self) -> tree.File:
@@ -249,8 +248,6 @@ class FileUnits:
             if reach + _REACH * is_faulty <= last or closes:
                 break
             last = max(reach + _REACH, last + (last - first))
-        if _depends_on_line_end(parsed.diagnostics, self.source):
-            return None
         removed = [item for one in range(first, stop + 1) for item in self._items[one][1]]
         added = [kept.get(item.start, item) for item in parsed.items]
         self._faults = [one for one in self._faults if not first <= one.first <= last]
@@ -332,18 +329,6 @@ class FileUnits:
             if item.start not in kept:
                 reach = max(reach, self.source.piece_of(item.end))
         return kept, reach
-
-
-def _depends_on_line_end(diagnostics: Sequence[Diagnostic], source: SpacedSource) -> bool:
-    """Whether a correction is made at the end of a line, and a comment follows its item there."""
-    edits = [
-        edit
-        for one in diagnostics
-        if isinstance(one.violation, UnclosedBlock) and one.fix is not None
-        for edit in one.fix.edits
-    ]
-    texts = [source.written.text[source.offset(edit.span.start) :][:1] for edit in edits]
-    return any(text and text not in _LINE_ENDS for text in texts)
 
 
 def _spaced(tokens: Tokens, source: SpacedSource) -> Tokens:

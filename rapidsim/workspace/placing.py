@@ -14,7 +14,7 @@ from operator import attrgetter
 from rapidsim.diagnostics import Diagnostic, Edit, Fix, Related, Source, Span, Violation
 from rapidsim.syntax.violations import UnclosedBlock
 from rapidsim.values import value_class
-from rapidsim.workspace.spaced_source import Piece, SpacedSource
+from rapidsim.workspace.spaced_source import SpacedSource, TextPiece
 
 _ORDER = attrgetter("order")
 
@@ -25,7 +25,7 @@ class _PlacedPiece:
 
     findings: Sequence[Diagnostic]
     """At their addresses, by address."""
-    piece: Piece
+    piece: TextPiece
     placed: list[Diagnostic]
     """At their offsets."""
     wide: Sequence[int]
@@ -63,7 +63,7 @@ class FilePlaces:
         return placed
 
 
-def _place_all(findings: Sequence[Diagnostic], piece: Piece) -> _PlacedPiece:
+def _place_all(findings: Sequence[Diagnostic], piece: TextPiece) -> _PlacedPiece:
     source, written, begin, end = piece.source, piece.source.written, piece.address, piece.end
     shift = piece.start - begin
     placed: list[Diagnostic] = []

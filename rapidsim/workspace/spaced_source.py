@@ -20,7 +20,7 @@ _LEAST_ROOM = 120
 
 
 @value_class(frozen=True, slots=True)
-class Piece:
+class TextPiece:
     """A piece of a spaced text, at this moment."""
 
     source: SpacedSource
@@ -97,14 +97,14 @@ class SpacedSource(Source):
             return start + shift, end + shift
         return self.offset(start), self.offset(end)
 
-    def piece(self, address: int) -> Piece:
+    def piece(self, address: int) -> TextPiece:
         """The piece that contains an address."""
         number = self.piece_of(address)
         begin, start = self._addresses[number], self._starts[number]
         is_last = number + 1 == len(self._starts)
         # The end of the text belongs to the last piece.
         behind = len(self.text) + 1 if is_last else self._addresses[number + 1]
-        return Piece(self, start, begin, begin + self._end(number) - start, behind)
+        return TextPiece(self, start, begin, begin + self._end(number) - start, behind)
 
     def piece_at(self, start: int, end: int) -> tuple[int, int, int] | None:
         """Return the piece that may grow and contains a range, with its number.

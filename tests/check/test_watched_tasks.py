@@ -25,9 +25,9 @@ EDITS: tuple[Callable[[str], str], ...] = (
 )
 
 
-def record(of: Job, watched: WatchedTasks | None = None) -> Record:
+def record(of: Job, open_tasks: WatchedTasks | None = None) -> Record:
     """All that a check says, with offsets in the files."""
-    found = check_job(of, watched=watched)
+    found = check_job(of, open_tasks=open_tasks)
     stored = StoredFindings(found.diagnostics, found.coverage, (), lasts=True, arm=found.arm)
     return record_of(stored, sources_of(of))
 
@@ -63,7 +63,7 @@ def test_a_task_is_opened_once(monkeypatch: pytest.MonkeyPatch) -> None:
 
     monkeypatch.setattr(Workspace, "__init__", opens)
     first = job(RunRequest(paths=(str(PROGRAMS / "cell"),), reach=False, trial_run=False))
-    watched = WatchedTasks()
+    open_tasks = WatchedTasks()
     for edit in EDITS:
-        check_job(edited(first, edit), watched=watched)
+        check_job(edited(first, edit), open_tasks=open_tasks)
     assert len(opened) == len(first.tasks)

@@ -166,6 +166,13 @@ BODY = "MODULE m\n{}  PROC main()\n{}  ENDPROC\n{}ENDMODULE\n"
             id="a fix adds a line with the line end of the file",
         ),
         pytest.param(
+            BODY.format("", "", "  FUNC num f()\n    RETURN 1;\n")[:-10]
+            + "  FUNC num g()\n  ENDFUNC ! note\nENDMODULE\n",
+            "RETURN 1",
+            "RETURN 2",
+            id="a fix adds a line behind a comment",
+        ),
+        pytest.param(
             BODY.format("", "    VAR other x;\n    x:=[1,2];\n", "  VAR other y;\n"),
             "x:=[1,2]",
             "x:=[1]",

@@ -78,7 +78,7 @@ class TaskCheck:
         self.units: dict[tree.Routine, UnitResults] = {}
         """Results of each routine, in the order of the files."""
         self._decisions: dict[tree.Item | None, _Decisions] = {}
-        """What undeclared names are in each unit, which depends on all units."""
+        """Decisions about undeclared names in each unit, which depend on all units."""
         with deep_recursion():
             self._check_declarations(visitor)
             for module in self.modules:
@@ -311,7 +311,7 @@ class TaskCheck:
 
 
 class _Decisions:
-    """What the undeclared names in one unit are, which may depend on other units."""
+    """Decisions about the undeclared names in one unit, which may depend on other units."""
 
     def __init__(
         self, unit: UnitResults, analysis: Analysis, reported: set[str], compared: frozenset[str]

@@ -37,7 +37,7 @@ def check_jobs(
     jobs: Sequence[Job],
     kept: ResultCache,
     processes: int = 1,
-    watched: WatchedTasks | None = None,
+    open_tasks: WatchedTasks | None = None,
 ) -> Iterator[JobCheck]:
     """Check jobs independently and yield their results in order.
 
@@ -45,13 +45,13 @@ def check_jobs(
         jobs: The jobs to check.
         kept: Cache of earlier results.
         processes: Number of jobs at a time; of a single job, number of its tasks.
-        watched: The tasks of a single job as they were at the last check; None checks once.
+        open_tasks: The tasks of a single job as they were at the last check; None checks once.
     """
     known = [kept.of_job(job) for job in jobs]
     left = [job for job, found in zip(jobs, known, strict=True) if found is None]
     records: Iterator[Record] = map(_job_record, left)
     if len(left) == 1:
-        records = iter([_only(left[0], kept, processes, watched if len(jobs) == 1 else None)])
+        records = iter([_only(left[0], kept, processes, open_tasks if len(jobs) == 1 else None)])
     elif processes > 1:
         # Most checks are of one program, and do not pay for importing what starts processes.
         from rapidsim.jobs.cache.processes import in_processes
@@ -100,10 +100,10 @@ def _checked(job: Job, stored: StoredFindings) -> JobCheck:
     return JobCheck(result, stored.notices)
 
 
-def _only(job: Job, kept: ResultCache, processes: int, watched: WatchedTasks | None) -> Record:
+def _only(job: Job, kept: ResultCache, processes: int, open_tasks: WatchedTasks | None) -> Record:
     """Return the record of a job; tasks without a cached record are checked in parallel."""
     if len(job.tasks) < 2:
-        return _job_record(job, watched)
+        return _job_record(job, open_tasks)
     if not job.is_arm_named:
         from rapidsim.jobs.checking.check_files import with_best_arm_of_files
 
@@ -136,14 +136,14 @@ def _only(job: Job, kept: ResultCache, processes: int, watched: WatchedTasks | N
 
     from rapidsim.jobs.checking.check_files import check_job
 
-    return observed.record(check_job(observed.job, moves_of, watched))
+    return observed.record(check_job(observed.job, moves_of, open_tasks))
 
 
-def _job_record(job: Job, watched: WatchedTasks | None = None) -> Record:
+def _job_record(job: Job, open_tasks: WatchedTasks | None = None) -> Record:
     from rapidsim.jobs.checking.check_files import check_job
 
     observed = _ObservedJob(job)
-    return observed.record(check_job(observed.job, watched=watched))
+    return observed.record(check_job(observed.job, open_tasks=open_tasks))
 
 
 def _task_record(job: Job, task: TaskFiles) -> Record:

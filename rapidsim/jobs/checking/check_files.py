@@ -87,23 +87,25 @@ def check(
 
 @gc_rarely()
 def check_job(
-    job: Job, moves_of: TaskMoves = made_now, watched: WatchedTasks | None = None
+    job: Job, moves_of: TaskMoves = made_now, open_tasks: WatchedTasks | None = None
 ) -> CheckResult:
     """Check a job with the requested rules and those of the settings.
 
     Args:
         job: The job.
         moves_of: Returns the report on the moves of a task, perhaps from a cache.
-        watched: The tasks as they were at the last check; None checks once.
+        open_tasks: The tasks as they were at the last check; None checks once.
     """
     station, selection = job.station, _selection(job)
     rules = detectors_of(selection.includes)
-    if watched is None or _has_bulk_moves(job):
+    if open_tasks is None or _has_bulk_moves(job):
         tasks = [_loaded(task, rules, job.cell) for task in job.tasks]
     else:
         # Tasks are compared by their programs.
         has_program = job.request.reach or len(job.tasks) > 1
-        tasks = [watched.load(task, rules, job.cell, has_program=has_program) for task in job.tasks]
+        tasks = [
+            open_tasks.load(task, rules, job.cell, has_program=has_program) for task in job.tasks
+        ]
     job, loaded = _with_arm(job, tasks, rules)
     result = check_tasks(
         job.tasks,
