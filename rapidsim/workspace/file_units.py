@@ -237,7 +237,7 @@ class FileUnits:
             if first < inner[0] or stop - first > _MOST_PIECES:
                 return None
             closes = last > stop
-            if closes and (module is not self.modules[-1] or self._has_faults_behind(stop)):
+            if closes and (module is not self.modules[-1] or self._has_faults_behind(stop + 1)):
                 # A correction looks at the text behind the module.
                 return None
             parsed = self._parse_pieces(first, stop, module, closes=closes)

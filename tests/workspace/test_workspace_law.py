@@ -271,3 +271,37 @@ def test_an_edit_of_a_declaration_checks_what_names_it(old: str, new: str) -> No
         assert cell.change("m.mod", [change]).is_local
         fresh = fresh_findings({"m.mod": text})["m.mod"]
         assert [contents(one) for one in cell.findings("m.mod")] == fresh
+
+
+@pytest.mark.parametrize(
+    "typed",
+    [
+        "  VAR num added:=[1,2];\n",
+        "  PROC typed(num x)\n  ENDPROC\n",
+        '  CONST string note:="a b"; ! why\n',
+    ],
+)
+def test_typing_a_declaration_reads_its_neighbours(typed: str) -> None:
+    text = DECLARATIONS
+    at = text.index("\n  PROC helper") + 1
+    cell = opened({"m.mod": text})
+    for character in typed:
+        change = TextChange(at, at, character)
+        text, at = changed_text(text, [change]), at + 1
+        assert cell.change("m.mod", [change]).is_local
+        fresh = fresh_findings({"m.mod": text})["m.mod"]
+        assert [contents(one) for one in cell.findings("m.mod")] == fresh
+
+
+def test_an_empty_module_is_typed_by_part() -> None:
+    text = "MODULE m\n\nENDMODULE\n"
+    cell = opened({"m.mod": text})
+    at = text.index("\n") + 1
+    ways = []
+    for character in "  VAR num first;\n  PROC main()\n    first:=1;\n  ENDPROC\n":
+        change = TextChange(at, at, character)
+        text, at = changed_text(text, [change]), at + 1
+        ways.append(cell.change("m.mod", [change]).is_local)
+        fresh = fresh_findings({"m.mod": text})["m.mod"]
+        assert [contents(one) for one in cell.findings("m.mod")] == fresh
+    assert ways.count(False) < 3
