@@ -163,11 +163,11 @@ class FileUnits:
             are still the old ones; None if the file must be parsed as a whole. The text may have
             changed then.
         """
-        place = self.source.piece_at(change.start, change.end)
+        place = self.source.piece_at(change.start, change.end, change.text)
         if place is None or len(self.diagnostics) > _MOST_ERRORS:
             return None
         piece, start, stop = place
-        address, item = self.source.address(change.start), self._alone(piece)
+        address, item = start + change.start - self.source.offset(start), self._alone(piece)
         if piece not in self._items or not self.source.replace(
             change.start, change.end, change.text
         ):
@@ -233,21 +233,23 @@ class FileUnits:
         first, last = piece, piece + _REACH * bool(self._faults)
         while True:
             first, last = self._with_faults(first, last)
+            begin = self._begin(first, module)
             stop = min(last, inner[-1])
-            if first < inner[0] or stop - first > _MOST_PIECES:
+            if begin is None or first < inner[0] or stop - begin > _MOST_PIECES:
                 return None
             closes = last > stop
             if closes and (module is not self.modules[-1] or self._has_faults_behind(stop + 1)):
                 # A correction looks at the text behind the module.
                 return None
-            parsed = self._parse_pieces(first, stop, module, closes=closes)
+            parsed = self._parse_pieces(begin, stop, module, closes=closes)
             if parsed is None:
                 return None
-            kept, reach = self._unchanged(parsed, piece, first, stop)
+            kept, reach = self._unchanged(parsed, piece, begin, stop)
             is_faulty = bool(parsed.diagnostics)
             if reach + _REACH * is_faulty <= last or closes:
                 break
             last = max(reach + _REACH, last + (last - first))
+        first = begin
         removed = [item for one in range(first, stop + 1) for item in self._items[one][1]]
         added = [kept.get(item.start, item) for item in parsed.items]
         self._faults = [one for one in self._faults if not first <= one.first <= last]
@@ -267,6 +269,20 @@ class FileUnits:
             tuple(item for item in removed if item not in stay),
             tuple(item for item in added if item not in stay),
         )
+
+    def _begin(self, piece: int, module: tree.Module) -> int | None:
+        """The last piece with an item before another piece, as a correction may look at its end.
+
+        Returns:
+            The piece itself if no item is before it; None if a correction may look at the head.
+        """
+        begin = piece
+        while self._items.get(begin - 1, (None,))[0] is module:
+            begin -= 1
+            if begin % 2 and self._items[begin][1]:
+                return begin
+        head = self.source.text[module.name.end : self.source.addresses(begin)[0]]
+        return None if head.lstrip().startswith("(") else begin
 
     def _has_faults_behind(self, piece: int) -> bool:
         """Whether there is an error behind a piece."""

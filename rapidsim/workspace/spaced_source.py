@@ -15,6 +15,8 @@ from itertools import pairwise
 from rapidsim.diagnostics import LINE_END, Source
 from rapidsim.values import value_class
 
+_BLANKS = frozenset(" \t\r\n!")
+"""Characters with which a blank or a comment begins."""
 _LEAST_ROOM = 120
 """Least number of characters by which a piece can grow; a large one grows by more."""
 
@@ -106,18 +108,22 @@ class SpacedSource(Source):
         behind = len(self.text) + 1 if is_last else self._addresses[number + 1]
         return TextPiece(self, start, begin, begin + self._end(number) - start, behind)
 
-    def piece_at(self, start: int, end: int) -> tuple[int, int, int] | None:
+    def piece_at(self, start: int, end: int, text: str) -> tuple[int, int, int] | None:
         """Return the piece that may grow and contains a range, with its number.
 
         Args:
             start: Offset in the file.
             end: Offset in the file.
+            text: The text in its place.
 
         Returns:
             Number, address of the beginning, and address of the end; None if there is no such
             piece.
         """
         piece = bisect_right(self._starts, start) - 1
+        if piece % 2 == 0 and piece and start == end == self._starts[piece]:
+            # A word or mark at the end of an item belongs to it.
+            piece -= bool(text) and text[0] not in _BLANKS
         if piece + 1 == len(self._starts) or end > self._end(piece):
             return None
         address = self._addresses[piece]
@@ -157,7 +163,7 @@ class SpacedSource(Source):
             end: Offset in the file.
             text: The new text.
         """
-        found = self.piece_at(start, end)
+        found = self.piece_at(start, end, text)
         growth = len(text) - (end - start)
         if found is None:
             return False
