@@ -181,7 +181,6 @@ class Facts:
 
     def with_items(self, files: tuple[tree.File, ...]) -> Facts:
         """Return the facts of the same task after data and routines were replaced by others."""
-        facts = Facts(files, self.analysis, self.memo)
         heads = {part.module: part for part in self.parts if part.routine is None}
         parts: list[ProgramPart] = []
         for file in files:
@@ -191,6 +190,13 @@ class Facts:
                     self.part_of.get(routine) or ProgramPart(module, routine, _by_kind([routine]))
                     for routine in module.routines
                 )
+        if tuple(parts) == self.parts:
+            facts = Facts(files, self.analysis, self.memo, self.columns)
+            vars(facts).update(
+                (name, vars(self)[name]) for name in _FROM_PARTS if name in vars(self)
+            )
+            return facts
+        facts = Facts(files, self.analysis, self.memo)
         vars(facts)["parts"] = tuple(parts)
         return facts
 
