@@ -35,7 +35,7 @@ def find_unused_data(facts: Facts) -> Iterator[Diagnostic]:
         is_outside = part.routine is None
         if is_outside and (by_name or part.module.name.key in _PREDEFINED_HOMES):
             continue
-        for key, node, finding in declared:
+        for key, node in declared:
             used: Set[str] = frozenset()
             if is_outside and node.scope == "LOCAL":
                 if part.module not in names_in:
@@ -47,21 +47,18 @@ def find_unused_data(facts: Facts) -> Iterator[Diagnostic]:
                 used = facts.names
             if key in used or key in facts.strings or facts.analysis.may_be_unread(key):
                 continue
-            yield finding
+            yield part.finding(UnusedData(node.name.text, node.type.text), node.name)
 
 
 def _names_in(module: tree.Module, facts: Facts) -> set[str]:
     return set().union(*(part.names for part in facts.parts if part.module is module))
 
 
-def _seemingly_unused(part: ProgramPart, facts: Facts) -> list[tuple[str, tree.Data, Diagnostic]]:
-    """Data that the part itself does not use, by folded name, with the finding if nothing does."""
+def _seemingly_unused(part: ProgramPart, facts: Facts) -> list[tuple[str, tree.Data]]:
+    """Data that the part itself does not use, by folded name."""
     del facts
-    return [
-        (node.name.key, node, part.finding(UnusedData(node.name.text, node.type.text), node.name))
-        for node in part.all(tree.Data)
-        if node.name.key not in part.names
-    ]
+    declared = ((node.name.key, node) for node in part.all(tree.Data))
+    return [(key, node) for key, node in declared if key not in part.names]
 
 
 def _accesses_by_name(part: ProgramPart, facts: Facts) -> bool:
@@ -71,7 +68,7 @@ def _accesses_by_name(part: ProgramPart, facts: Facts) -> bool:
 def find_unused_routines(facts: Facts) -> Iterator[Diagnostic]:
     """Report routines that nothing calls, connects, or could name in a string."""
     patterns = late_patterns(facts)
-    for part, (key, finding) in facts.in_parts(_unused_routine):
+    for part, key in facts.in_parts(_to_be_used):
         assert part.routine is not None
         if part.routine.scope != "LOCAL" and not facts.is_whole:
             continue
@@ -79,7 +76,7 @@ def find_unused_routines(facts: Facts) -> Iterator[Diagnostic]:
             continue
         if facts.analysis.may_be_unread(key) or any(p.fullmatch(key) for p in patterns):
             continue
-        yield finding
+        yield part.finding(_unused(part.routine), part.routine.name)
 
 
 def _is_used_elsewhere(key: str, home: ProgramPart, facts: Facts) -> bool:
@@ -89,20 +86,14 @@ def _is_used_elsewhere(key: str, home: ProgramPart, facts: Facts) -> bool:
     return any(key in part.names for part in facts.parts if part is not home)
 
 
-def _unused_routine(part: ProgramPart, facts: Facts) -> tuple[str, Diagnostic] | None:
-    """The folded name of a routine, with its finding if nothing uses it.
-
-    Returns:
-        None for a routine that needs no caller.
-    """
+def _to_be_used(part: ProgramPart, facts: Facts) -> str | None:
+    """The folded name of a routine; None for one that needs no caller."""
     del facts
     routine = part.routine
     if routine is None or routine.name.key == ENTRY:
         return None
     is_needed = not isinstance(routine, tree.Proc) or bool(routine.parameters)
-    if routine.scope != "LOCAL" and not is_needed:
-        return None
-    return routine.name.key, part.finding(_unused(routine), routine.name)
+    return routine.name.key if routine.scope == "LOCAL" or is_needed else None
 
 
 def _unused(routine: tree.Routine) -> UnusedRoutine:
