@@ -250,6 +250,10 @@ class FileUnits:
                 break
             last = max(reach + _REACH, last + (last - first))
         first = begin
+        pieces = [self.source.piece_of(item.start) for item in parsed.items]
+        if pieces and not first <= min(pieces) <= max(pieces) <= stop:
+            # The end of the module was skipped with an item.
+            return None
         removed = [item for one in range(first, stop + 1) for item in self._items[one][1]]
         added = [kept.get(item.start, item) for item in parsed.items]
         self._faults = [one for one in self._faults if not first <= one.first <= last]
@@ -258,8 +262,7 @@ class FileUnits:
         for one in range(first, stop + 1):
             self._items[one] = module, ()
             self._comments.pop(one, None)
-        for item in added:
-            one = self.source.piece_of(item.start)
+        for one, item in zip(pieces, added, strict=True):
             self._items[one] = module, (*self._items[one][1], item)
         for comment in parsed.comments:
             self._comments.setdefault(self.source.piece_of(comment.start), []).append(comment)
