@@ -139,4 +139,4 @@ def test_a_main_with_parameters_is_not_run(tmp_path: Path) -> None:
     file.write_text(
         "MODULE m\n  PROC main(num a)\n    VAR num b;\n    b:=1/a;\n  ENDPROC\nENDMODULE\n"
     )
-    assert rapidsim.check(file).ok
+    assert rapidsim.check([file]).ok
