@@ -1,13 +1,15 @@
 """Time of a workspace from a keystroke to the new findings, on generated tasks.
 
 Prints processor times in milliseconds, of the process alone: an edit within a routine, a value of a
-declaration, a line of declarations, a header of a routine, and typing the programs of a cell anew.
+declaration, a line of declarations, a header of a routine, what is half typed, and typing the
+programs of a cell anew.
 Run it on an idle machine: `python benchmarks/typing_latency.py`.
 """
 
 from __future__ import annotations
 
 import random
+import re
 import resource
 import sys
 import time
@@ -22,6 +24,8 @@ from rapidsim.workspace.workspace import Workspace
 
 EDITS = 200
 CELL = Path(__file__).parents[1] / "programs" / "cell"
+OPENER = re.compile(r"\s*(?:LOCAL )?(PROC|FUNC|TRAP)\b")
+CLOSER = re.compile(r"\s*END(?:PROC|FUNC|TRAP)\b")
 
 
 def module(name: str, lines: int, seed: int) -> str:
@@ -127,47 +131,61 @@ def measure(
     middle, late = times[len(times) // 2], times[int(len(times) * 0.95)]
     print(
         f"  {title:24} median {middle:6.1f}  95 % {late:6.1f}  most {times[-1]:6.1f} ms;"
-        f" {local} of {len(times)} by routine"
+        f" {local} of {len(times)} by part"
     )
 
 
+def half_typed(rng: random.Random, text: str) -> TextChange:
+    """A closing word less."""
+    return removed(rng, text, "ENDIF\n", text.index("PROC"))
+
+
+def half_declared(rng: random.Random, text: str) -> TextChange:
+    """A semicolon less behind a declaration."""
+    return removed(rng, text[: text.index("PROC")], ";", 0)
+
+
+def removed(rng: random.Random, text: str, part: str, first: int) -> TextChange:
+    """Remove a part of a text behind a random place."""
+    at = text.index(part, rng.randrange(first, text.rindex(part)))
+    return TextChange(at, at + len(part), "")
+
+
 def type_anew() -> None:
-    """Type the modules of a cell from their first character to the last."""
+    """Type the modules of a cell from the line behind their head to their end.
+
+    An editor closes a routine when its head is complete, so its body is typed into a closed one.
+    """
     texts = {
         file.name: decode(file.read_bytes())[0]
         for file in sorted(CELL.iterdir())
         if file.suffix == ".mod"
     }
-    cell = opened(texts)
     times: list[float] = []
     local = 0
     for path, text in texts.items():
-        # An editor closes a block when it is opened, so bodies are typed into closed routines.
-        for start, end in bodies(text):
-            cell.change(path, [TextChange(start, end, "")])
-            for at in range(start, end):
+        head, end = text.index("\n") + 1, text.rindex("ENDMODULE")
+        cell = opened({**texts, path: f"{text[:head]}\n{text[end:]}"})
+        at = head
+        for line in text[head:end].splitlines(keepends=True):
+            if CLOSER.match(line):
+                at += len(line)
+                continue
+            opener = OPENER.match(line)
+            for number, character in enumerate(line, 1):
+                is_head = opener is not None and number == len(line)
+                typed = f"{character}  END{opener[1]}\n" if opener and is_head else character
                 before = cpu_ms()
-                changed = cell.change(path, [TextChange(at, at, text[at])])
+                changed = cell.change(path, [TextChange(at, at, typed)])
                 cell.findings(path)
                 times.append(cpu_ms() - before)
                 local += changed.is_local
+                at += 1
     times.sort()
     print(
-        f"typing the routines of {CELL.name}: 95 % {times[int(len(times) * 0.95)]:.1f} ms;"
-        f" {local} of {len(times)} characters by routine"
+        f"typing the modules of {CELL.name}: 95 % {times[int(len(times) * 0.95)]:.1f} ms;"
+        f" {local} of {len(times)} characters by part"
     )
-
-
-def bodies(text: str) -> list[tuple[int, int]]:
-    """Offsets of the bodies of routines."""
-    found: list[tuple[int, int]] = []
-    at = 0
-    while (at := text.find("PROC ", at)) >= 0:
-        if text[at - 3 : at] != "END":
-            start = text.index("\n", at) + 1
-            found.append((start, text.rindex("\n", 0, text.index("ENDPROC", start)) + 1))
-        at += 1
-    return found
 
 
 def main() -> None:
@@ -182,7 +200,13 @@ def main() -> None:
             measure(cell, "a value of a declaration", in_value, EDITS // 10)
             measure(cell, "a declaration", of_declarations, EDITS // 10)
             measure(cell, "a header of a routine", of_headers, EDITS // 10)
+            measure(cell, "a block half typed", half_typed, EDITS // 10)
+            measure(cell, "a declaration half typed", half_declared, EDITS // 10)
     type_anew()
+    start = cpu_ms()
+    cell = opened(task(1, 20_000))
+    count = sum(len(cell.findings(path)) for path in cell.paths)
+    print(f"1 x 20000 lines: {cpu_ms() - start:.0f} ms to the first {count} findings")
     scale = 1024.0 if sys.platform != "darwin" else 1024.0**2
     print(f"memory {resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / scale:.0f} MB")
 

@@ -13,6 +13,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import field
 from enum import StrEnum
 from functools import cache, cached_property
+from itertools import accumulate
 from typing import TYPE_CHECKING, Any, ClassVar, dataclass_transform
 
 from rapidsim.shipped import shipped
@@ -26,6 +27,7 @@ ON_REQUEST = ("F409", "F410", "M514", "S", "T323")
 
 # Some tools write line ends as CR CR LF, which is one line end, not two.
 LINE_END = re.compile(r"\r+\n|\n|\r")
+_LONE_RETURN = re.compile(r"\r(?!\r*\n)")
 
 
 class Severity(StrEnum):
@@ -47,7 +49,11 @@ class Source:
     @cached_property
     def line_starts(self) -> tuple[int, ...]:
         """Offset of the first character of each line."""
-        return (0, *(match.end() for match in LINE_END.finditer(self.text)))
+        if "\r" in self.text and _LONE_RETURN.search(self.text):
+            return (0, *(match.end() for match in LINE_END.finditer(self.text)))
+        # Then each line ends with a line feed, which is found faster.
+        lines = self.text.split("\n")
+        return tuple(accumulate((len(line) + 1 for line in lines[:-1]), initial=0))
 
     @property
     def written(self) -> Source:

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import re
 from bisect import bisect_left
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, ItemsView, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property, reduce
 from operator import attrgetter, or_
@@ -119,6 +119,8 @@ class Facts:
     analysis: Analysis
     memo: dict[tree.Node, Any] = field(default_factory=dict)
     """The interpretation of calls, by call: see `rules/facts/instruction_questions.py`."""
+    columns: dict[Callable[..., Any], dict[ProgramPart, Any]] = field(default_factory=dict)
+    """Results of functions of one part that are not empty, by function: see `in_parts`."""
 
     def of_part(self, function: Callable[[ProgramPart, Facts], V], part: ProgramPart) -> V:
         """Return the result of a function of one part, computed once as long as the part stays.
@@ -134,6 +136,32 @@ class Facts:
             result = part.memo[function] = function(part, self)
         return result
 
+    def in_parts(
+        self, function: Callable[[ProgramPart, Facts], V | None]
+    ) -> ItemsView[ProgramPart, V]:
+        """Return the results of a function of one part that are not empty, each with its part.
+
+        Args:
+            function: As in `of_part`.
+        """
+        column = self.columns.get(function)
+        if column is None:
+            results = ((part, self.of_part(function, part)) for part in self.parts)
+            column = self.columns[function] = {part: one for part, one in results if one}
+        return column.items()
+
+    def _renew_columns(self, part: ProgramPart) -> None:
+        """Put the results of a part that was read again in place of those before."""
+        for function, column in list(self.columns.items()):
+            result = self.of_part(function, part)
+            if part in column and result:
+                column[part] = result
+            elif part in column:
+                del column[part]
+            elif result:
+                # Its place is between others.
+                del self.columns[function]
+
     def only(self, part: ProgramPart) -> Facts:
         """Return the facts as if the task had only one part."""
         facts = Facts((), self.analysis, self.memo)
@@ -147,24 +175,23 @@ class Facts:
             files: The files.
             changed: The parts of these routines, which are read again.
         """
-        facts = Facts(files, self.analysis, self.memo)
-        stays = True
+        facts = Facts(files, self.analysis, self.memo, self.columns)
+        kept = dict(_FROM_PARTS)
         for part in changed:
-            if part.routine is None:
-                part.renew()
-                continue
-            before = tuple(part.memo.get(function) for function in (_callees, _may_return))
+            before = {one: part.memo.get(one) for of in kept.values() for one in of}
             part.renew()
-            after = tuple(facts.of_part(function, part) for function in (_callees, _may_return))
-            stays = stays and before == after
-        # If the calls stay, so does what follows from them.
-        kept = _OF_PARTS + _OF_CALLS if stays else _OF_PARTS
+            facts._renew_columns(part)
+            # What follows from results that stay, stays.
+            kept = {
+                name: of
+                for name, of in kept.items()
+                if all(before[one] == facts.of_part(one, part) for one in of)
+            }
         vars(facts).update((name, vars(self)[name]) for name in kept if name in vars(self))
         return facts
 
     def with_items(self, files: tuple[tree.File, ...]) -> Facts:
         """Return the facts of the same task after data and routines were replaced by others."""
-        facts = Facts(files, self.analysis, self.memo)
         heads = {part.module: part for part in self.parts if part.routine is None}
         parts: list[ProgramPart] = []
         for file in files:
@@ -175,6 +202,13 @@ class Facts:
                     or ProgramPart(module, routine, self.analysis.nodes_of(routine))
                     for routine in module.routines
                 )
+        if tuple(parts) == self.parts:
+            facts = Facts(files, self.analysis, self.memo, self.columns)
+            vars(facts).update(
+                (name, vars(self)[name]) for name in _FROM_PARTS if name in vars(self)
+            )
+            return facts
+        facts = Facts(files, self.analysis, self.memo)
         vars(facts)["parts"] = tuple(parts)
         return facts
 
@@ -206,9 +240,9 @@ class Facts:
     @cached_property
     def call_graph(self) -> Mapping[ProgramPart, tuple[ProgramPart, ...]]:
         """The routines that each routine calls, each once."""
-        part_of = self.part_of
+        part_of, called = self.part_of, dict(self.in_parts(_callees))
         return {
-            part: tuple(part_of[one] for one in self.of_part(_callees, part) if one in part_of)
+            part: tuple(part_of[one] for one in called.get(part, ()) if one in part_of)
             for part in self.routine_parts
         }
 
@@ -223,6 +257,35 @@ class Facts:
         return components(self.routine_parts, self.call_graph.__getitem__)
 
     @cached_property
+    def callers(self) -> Mapping[ProgramPart, Sequence[ProgramPart]]:
+        """The routines that call each routine."""
+        found: dict[ProgramPart, list[ProgramPart]] = {part: [] for part in self.routine_parts}
+        for part, callees in self.call_graph.items():
+            for callee in callees:
+                found[callee].append(part)
+        return found
+
+    @cached_property
+    def component_of(self) -> Mapping[ProgramPart, int]:
+        """The number of the component of each routine, callees first."""
+        return {part: number for number, one in enumerate(self.components) for part in one}
+
+    @cached_property
+    def recursive(self) -> int:
+        """The bits of the routines that may cause themselves to run."""
+        return self.bits_of(
+            part
+            for one in self.components
+            for part in one
+            if len(one) > 1 or part in self.call_graph[part]
+        )
+
+    @cached_property
+    def calls_memo(self) -> dict[object, Any]:
+        """Results that depend on callees, and whether routines can return, beside single parts."""
+        return {}
+
+    @cached_property
     def reached_from(self) -> Mapping[ProgramPart, int]:
         """The bits of all routines that each routine may cause to run, itself included."""
 
@@ -235,16 +298,13 @@ class Facts:
     @cached_property
     def returning(self) -> Mapping[tree.Routine, bool]:
         """Whether a call of each routine can return; a server with an endless loop cannot."""
-
-        def can_end(part: ProgramPart) -> bool:
-            return self.of_part(_may_return, part)
-
+        may_return_alone = dict(self.in_parts(_may_return))
         found = returning(
             self.routine_parts,
             self.call_graph.__getitem__,
             self.callee_of,
             self.flow,
-            can_end,
+            may_return_alone.__contains__,
             self.components,
         )
         return {part.routine: can for part, can in found.items() if part.routine is not None}
@@ -269,23 +329,21 @@ class Facts:
     @cached_property
     def moving(self) -> int:
         """The bits of the routines with a move instruction."""
-        bits = 0
-        for part, bit in self.bit_of.items():
-            if any(Trait.MOVE in self.does(call) for call in part.all(tree.Call)):
-                bits |= bit
-        return bits
+        return self.bits_of(part for part, _ in self.in_parts(_has_moves))
+
+    def bits_of(self, parts: Iterable[ProgramPart]) -> int:
+        """The bits of routines, joined."""
+        return reduce(or_, (self.bit_of[part] for part in parts), 0)
 
     @cached_property
     def names(self) -> frozenset[str]:
         """Folded names used anywhere in the task."""
-        return frozenset().union(*(part.names for part in self.parts))
+        return frozenset().union(*(names for _, names in self.in_parts(_names)))
 
     @cached_property
     def strings(self) -> frozenset[str]:
         """Folded texts of all strings: routines and data can be accessed by a name in a string."""
-        return frozenset(
-            node.value.lower() for part in self.parts for node in part.all(tree.StringLiteral)
-        )
+        return frozenset().union(*(texts for _, texts in self.in_parts(_strings)))
 
     @cached_property
     def entry(self) -> ProgramPart | None:
@@ -330,12 +388,6 @@ class Facts:
         return symbol.node if isinstance(symbol, RoutineSymbol) else None
 
 
-_OF_PARTS = ("parts", "routine_parts", "part_of", "bit_of")
-"""Facts that stay as long as the routines are the same."""
-_OF_CALLS = ("call_graph", "components", "reached_from", "returning")
-"""Facts that stay as long as the routines have the same callees and can return as before."""
-
-
 def _callees(part: ProgramPart, facts: Facts) -> tuple[tree.Routine, ...]:
     """The routines of the user that a part calls, each once."""
     called = (facts.routine_called(call) for call in part.calls)
@@ -344,7 +396,33 @@ def _callees(part: ProgramPart, facts: Facts) -> tuple[tree.Routine, ...]:
 
 def _may_return(part: ProgramPart, facts: Facts) -> bool:
     """Whether a routine can return if all its callees do."""
-    return may_return(facts.flow(part))
+    return part.routine is None or may_return(facts.flow(part))
+
+
+def _has_moves(part: ProgramPart, facts: Facts) -> bool:
+    return any(Trait.MOVE in facts.does(call) for call in part.all(tree.Call))
+
+
+def _names(part: ProgramPart, facts: Facts) -> frozenset[str]:
+    del facts
+    return part.names
+
+
+def _strings(part: ProgramPart, facts: Facts) -> frozenset[str]:
+    del facts
+    return frozenset(node.value.lower() for node in part.all(tree.StringLiteral))
+
+
+_OF_CALLS = ("call_graph", "components", "callers", "component_of", "recursive", "reached_from")
+_FROM_PARTS: Mapping[str, tuple[Callable[[ProgramPart, Facts], object], ...]] = {
+    **dict.fromkeys(("parts", "routine_parts", "part_of", "bit_of", "entry"), ()),
+    **dict.fromkeys(_OF_CALLS, (_callees,)),
+    **dict.fromkeys(("returning", "calls_memo"), (_callees, _may_return)),
+    "moving": (_has_moves,),
+    "names": (_names,),
+    "strings": (_strings,),
+}
+"""Facts of a task that has the same routines, with the results of parts from which they follow."""
 
 
 def _declarations(module: tree.Module) -> list[tree.Node]:

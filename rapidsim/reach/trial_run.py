@@ -109,7 +109,7 @@ def run_for_moves(
         first_row: The row of the run's first move among all known moves.
         longest_s: Limit of virtual time [s].
     """
-    if program.routines.get(options.entry.lower()) is None:
+    if not _can_start(program, options.entry):
         return _not_run(f"is not possible: there is no `{options.entry}`")
     if len(walked.written) > MOST_MOVES:
         return _not_run("is left out in a check of so many moves; `rapidsim run` makes it")
@@ -168,6 +168,12 @@ def run_for_moves(
     )
 
 
+def _can_start(program: Program, entry: str) -> bool:
+    """Whether a program has an entry procedure that needs no arguments."""
+    symbol = program.routines.get(entry.lower())
+    return symbol is not None and all(parameter.optional for parameter in symbol.parameters)
+
+
 @value_class(frozen=True, slots=True, eq=False)
 class ErrorRun:
     """Findings of a run of main for its error."""
@@ -183,7 +189,7 @@ def run_for_error(
     program: Program, robot: Robot, options: RunOptions, walked: WalkedProgram
 ) -> ErrorRun:
     """Return the error that ends a run of main, for a program with statically known moves."""
-    if program.routines.get(options.entry.lower()) is None:
+    if not _can_start(program, options.entry):
         return ErrorRun()
     limited = _limited(options, LONGEST_RUN_S, LONGEST_WORK_FOR_ERRORS_S)
     try:

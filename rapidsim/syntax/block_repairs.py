@@ -233,9 +233,9 @@ def _closing_lines(row: TokenBuffer, blocks: Sequence[OpenBlock], index: int) ->
     """
     if not row.first_on_line(index) and row.kinds[index] != END:
         return None
-    text = row.source.text
-    end = LINE_END.search(text, row.place_before(index))
-    at = len(text) if end is None else end.start()
+    source, text = row.source, row.source.written.text
+    end = LINE_END.search(text, source.offset(row.place_before(index)))
+    at = source.address(len(text) if end is None else end.start())
     ending = "\n" if end is None else end[0]
     lines = [
         f"{ending}{' ' * (row.indent(block.index) - 1)}{CLOSERS[block.kind]}"

@@ -58,11 +58,16 @@ def parse(source: Source, *, runs_of: int | None = None, keeps_data: bool = Fals
         All modules in the text, with `tree.InvalidStatement` for unreadable statements, and every
         error of syntax and of size. Errors that require names or types are not detected.
     """
-    if runs_of is not None and len(source.text) > runs_of * _SHORTEST_MOVE:
+    if runs_of is not None and may_have_runs(source.text, runs_of):
         parsed = _parsed_with_runs(source, runs_of, keeps_data=keeps_data)
         if parsed is not None:
             return parsed
     return _parsed(source, ())
+
+
+def may_have_runs(text: str, runs_of: int) -> bool:
+    """Whether a text is long enough for more than a number of bulk moves."""
+    return len(text) > runs_of * _SHORTEST_MOVE
 
 
 def _parsed_with_runs(source: Source, runs_of: int, *, keeps_data: bool) -> Parsed | None:

@@ -7,10 +7,10 @@ whole file: no correction looks further than a few tokens past the end of a rout
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
-from rapidsim.diagnostics import Diagnostic, Source
+from rapidsim.diagnostics import LINE_END, Diagnostic, Source
 from rapidsim.syntax import tree
 from rapidsim.syntax.blocks import CLOSERS, ROUTINES
 from rapidsim.syntax.lexer import Tokens, lex
@@ -39,12 +39,15 @@ class ParsedItems:
 
     items: tuple[tree.Item, ...]
     comments: tuple[tree.Comment, ...]
+    diagnostics: tuple[Diagnostic, ...]
     last: int
     """The end of the last word or mark."""
 
 
 def item_ranges(tokens: Tokens, text: str) -> Iterator[tuple[int, int]]:
-    """Yield the offsets of the routines and data of modules that are on lines of their own.
+    """Yield the offsets of what modules consist of, if it is on lines of its own.
+
+    These are routines, data, the line that begins a module and the one that ends it.
 
     Args:
         tokens: The tokens of a file as written.
@@ -56,6 +59,11 @@ def item_ranges(tokens: Tokens, text: str) -> Iterator[tuple[int, int]]:
     kinds = tokens.kinds
     begin, wanted = 0, ""
     for index, kind in enumerate(kinds):
+        if kind == "MODULE":
+            begin, wanted = index, kind
+            index = _module_head(kinds, index)
+        if kind == "ENDMODULE":
+            begin, wanted = index, kind
         if kind in ROUTINES:
             begin, wanted = index - (kinds[index - 1] in _SCOPES), CLOSERS[kind]
         elif kind in _STORAGES and wanted not in _ENDS:
@@ -63,7 +71,8 @@ def item_ranges(tokens: Tokens, text: str) -> Iterator[tuple[int, int]]:
         elif kind == wanted:
             start, end = tokens.starts[begin], tokens.ends[index]
             line = _line_start(text, start)
-            if not text[line:start].strip() and _is_last_on_line(text, end):
+            is_head = kind == "MODULE" and LINE_END.search(text, start, end) is not None
+            if not (is_head or text[line:start].strip()) and _is_last_on_line(text, end):
                 yield line, end
             wanted = ""
         elif kind in _ENDS:
@@ -136,7 +145,9 @@ def parse_data(
             return None
 
 
-def parse_items(source: Source, start: int, end: int, module: tree.Module) -> ParsedItems | None:
+def parse_items(
+    source: Source, start: int, end: int, module: tree.Module, *, closes: bool = False
+) -> ParsedItems | None:
     """Parse the changed text of any number of whole items.
 
     Args:
@@ -144,27 +155,34 @@ def parse_items(source: Source, start: int, end: int, module: tree.Module) -> Pa
         start: Where the line of the first word begins, or a blank behind another item.
         end: The end of the last word, or of the last line.
         module: The module that contains it.
+        closes: Whether the text ends with the end of the module.
 
     Returns:
-        The items; None if the text is anything else than data and routines without errors.
+        The items with all errors in them; None if a finding may depend on other text of the file.
     """
     inside = lex(source.text, [(0, start), (end, len(source.text))])
-    if inside.unterminated or any(len(word) > LONGEST_NAME for word in inside.words):
+    if any(len(word) > LONGEST_NAME for word in inside.words):
         return None
-    parsed = parse_tokens(_as_module(inside, end, module), source)
-    if parsed.diagnostics:
+    if closes and inside.kinds[-2:] != ["ENDMODULE", END]:
         return None
+    parsed = parse_tokens(_as_module(inside, end, module, closes=closes), source)
     match parsed.file.modules:
         case (tree.Module(name=name, items=items),) if name.start == module.name.start:
-            if all(isinstance(item, tree.Data | tree.RoutineNode) for item in items):
-                last = inside.ends[-2] if len(inside.ends) > 1 else start
-                return ParsedItems(items, inside.comments, last)
+            last = inside.ends[-2] if len(inside.ends) > 1 else start
+            return ParsedItems(items, inside.comments, parsed.diagnostics, last)
     return None
 
 
-def _as_module(tokens: Tokens, end: int, module: tree.Module) -> Tokens:
-    """Tokens of a module that contains only the given ones."""
+def _as_module(tokens: Tokens, end: int, module: tree.Module, *, closes: bool = False) -> Tokens:
+    """Tokens of a module that contains only the given ones, which may have its end."""
     name = module.name
+    if closes:
+        return replace(
+            tokens,
+            kinds=["MODULE", "NAME", *tokens.kinds],
+            starts=[module.start, name.start, *tokens.starts],
+            ends=[module.start + len("MODULE"), name.end, *tokens.ends],
+        )
     behind = end + 1
     return replace(
         tokens,
@@ -174,12 +192,24 @@ def _as_module(tokens: Tokens, end: int, module: tree.Module) -> Tokens:
     )
 
 
+def _module_head(kinds: Sequence[str], index: int) -> int:
+    """Index of the last token of the head of a module."""
+    last = index + 1
+    if kinds[last : last + 2] == ["NAME", "LPAR"]:
+        while kinds[last] not in ("RPAR", "SEMICOLON", END):
+            last += 1
+    return last
+
+
 def _line_start(text: str, offset: int) -> int:
-    return max(text.rfind("\n", 0, offset), text.rfind("\r", 0, offset)) + 1
+    feed = text.rfind("\n", 0, offset)
+    return max(feed, text.rfind("\r", feed + 1, offset)) + 1
 
 
 def _is_last_on_line(text: str, offset: int) -> bool:
     """Whether at most a comment follows on a line that ends."""
-    stops = [place for mark in "\r\n" if (place := text.find(mark, offset)) >= 0]
-    behind = text[offset : min(stops, default=offset)].strip()
-    return bool(stops) and (not behind or behind.startswith("!"))
+    end = LINE_END.search(text, offset)
+    if end is None:
+        return False
+    behind = text[offset : end.start()].strip()
+    return not behind or behind.startswith("!")

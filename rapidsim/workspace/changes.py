@@ -40,3 +40,19 @@ def changed_text(text: str, changes: Iterable[TextChange]) -> str:
             )
         text = f"{text[: one.start]}{one.text}{text[one.end :]}"
     return text
+
+
+def text_difference(before: str, after: str) -> TextChange | None:
+    """Return the change that makes one text another; None if they are equal."""
+    if before == after:
+        return None
+    start = _shared(before, after)
+    # The ends are those of the rest, or a doubled line would count twice.
+    end = _shared(before[start:][::-1], after[start:][::-1])
+    return TextChange(start, len(before) - end, after[start : len(after) - end])
+
+
+def _shared(text: str, second: str) -> int:
+    """Number of equal characters at the beginning of two texts."""
+    pairs = enumerate(zip(text, second, strict=False))
+    return next((k for k, (a, b) in pairs if a != b), min(len(text), len(second)))

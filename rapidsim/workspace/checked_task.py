@@ -9,7 +9,7 @@ from rapidsim.analysis.cell_names import CellNames
 from rapidsim.analysis.context import MOST_COMPARED, UnitResults
 from rapidsim.analysis.passes.checker import Find
 from rapidsim.analysis.passes.task_check import TaskCheck, deep_recursion
-from rapidsim.analysis.program_parts import ENTRY, Facts, ProgramPart
+from rapidsim.analysis.program_parts import Facts, ProgramPart
 from rapidsim.analysis.suppressions import without_suppressed
 from rapidsim.analysis.tree_walk import clauses, descendants, statements
 from rapidsim.diagnostics import Diagnostic
@@ -19,7 +19,7 @@ from rapidsim.syntax.garbage_collection import gc_paused
 from rapidsim.workspace.changes import Changed, TextChange, changed_text
 from rapidsim.workspace.file_units import Edited, EditedData, EditedItems, EditedRoutine, FileUnits
 from rapidsim.workspace.guesses import without_guesses
-from rapidsim.workspace.placing import placed
+from rapidsim.workspace.placing import FilePlaces, addressed, renumbered
 from rapidsim.workspace.task_rules import TaskRules
 from rapidsim.workspace.total_order import in_total_order
 
@@ -27,8 +27,6 @@ _HEADERS = frozenset(
     {tree.Proc, tree.Func, tree.Trap, tree.ParameterDeclaration, tree.OptionalGroup}
 )
 """Kinds of nodes that a routine keeps when its body changes."""
-_MEANT_UNNAMED = frozenset({ENTRY})
-"""Names whose declaration means something to routines that do not name them."""
 
 
 class CheckedTask:
@@ -40,6 +38,7 @@ class CheckedTask:
     task checked.
     """
 
+    @gc_paused()
     def __init__(
         self,
         task: TaskFiles,
@@ -53,6 +52,7 @@ class CheckedTask:
         self._rules = TaskRules(rules)
         self._is_looked_for = is_looked_for
         self._units = {file.name: FileUnits(file.name, file.text) for file in task.files}
+        self._places = {path: FilePlaces(units.source) for path, units in self._units.items()}
         self._raw: dict[str, list[Diagnostic]] = {}
         self._findings: dict[str, tuple[Diagnostic, ...]] = {}
         self._check_all()
@@ -87,11 +87,38 @@ class CheckedTask:
         """Findings in a file."""
         if path not in self._findings:
             units = self._units[path]
-            found = [*map(placed, self._raw[path]), *self._rules.in_file(units)]
+            found = [*self._places[path].placed(self._raw[path]), *self._rules.in_file(units)]
             written = tree.File(units.source.written, (), units.suppressing)
             shown = without_suppressed(found, [written], is_looked_for=self._is_looked_for)
             self._findings[path] = in_total_order(shown)
         return self._findings[path]
+
+    @gc_paused()
+    def as_checked(self) -> tuple[tuple[tree.File, ...], tuple[Diagnostic, ...]]:
+        """Return the trees and all findings, none suppressed, at their places in the trees.
+
+        Findings have the order of a check: by place, those at one place by detector.
+        """
+        of_syntax = [
+            renumbered(one)
+            for units in self._units.values()
+            for one in sorted(units.diagnostics, key=lambda one: one.order)
+        ]
+        found = [
+            *self._check.diagnostics(),
+            *self._rules.in_task(self._facts),
+            *(
+                addressed(one, units.source)
+                for units in self._units.values()
+                for one in self._rules.in_file(units)
+            ),
+        ]
+        files = tuple(self._trees.values())
+        found.sort(key=self._rules.rank)
+        found = [*of_syntax, *without_guesses(found, of_syntax, files)]
+        numbers = {path: number for number, path in enumerate(self._trees)}
+        found.sort(key=lambda one: (numbers.get(one.order[0], -1), one.order[1]))
+        return files, tuple(found)
 
     @gc_paused()
     def change(self, path: str, change: TextChange) -> Changed:
@@ -111,6 +138,7 @@ class CheckedTask:
     def replace(self, path: str, text: str) -> Changed:
         """Replace a text, and check the task."""
         self._units[path] = FileUnits(path, text)
+        self._places[path] = FilePlaces(self._units[path].source)
         self._check_all()
         return Changed(self._collect(path))
 
@@ -186,18 +214,20 @@ class CheckedTask:
         check, module = self._check, edited.module
         if not all(self._is_plain(one, module) for one in (*edited.removed, *edited.added)):
             return False
-        loads, unread = bool(check.loading), dict(check.unread)
+        loads = bool(check.loading)
         names = check.change_items(module, edited.removed, edited.added)
-        if (
-            names is None
-            or not names.isdisjoint(_MEANT_UNNAMED)
-            or not all(map(str.isascii, names))
-        ):
+        if names is None or not all(map(str.isascii, names)):
             return False
-        if bool(check.loading) != loads or check.unread != unread:
+        if bool(check.loading) != loads or self._depends_on_unread(check.declarations):
             return False
         names |= check.forget_nearest(names)
         data = {item: module for item in edited.added if isinstance(item, tree.Data)}
+        data |= {
+            item: home
+            for home in check.modules
+            for item in home.items
+            if isinstance(item, tree.Data) and self._depends_on_unread(check.values[item])
+        }
         values = self._users_of(data, names)
         names |= {item.name.key for item in values}
         if self._determines_sizes(names):
@@ -205,7 +235,9 @@ class CheckedTask:
         again: dict[tree.Routine, tree.Module] = {}
         for part in self._facts.routine_parts:
             routine = part.routine
-            if routine in check.units and not names.isdisjoint(part.words):
+            if routine in check.units and (
+                not names.isdisjoint(part.words) or self._depends_on_unread(check.units[routine])
+            ):
                 self._forget(part)
                 again[routine] = part.module
         new = {item: module for item in edited.added if isinstance(item, tree.Routine)}
@@ -242,7 +274,7 @@ class CheckedTask:
         if isinstance(item, tree.Data):
             return not item.dimensions and types.resolves(item.type.key, module)
         if not isinstance(item, tree.Routine):
-            return False
+            return isinstance(item, tree.InvalidStatement)
         named = [
             node.type.key
             for node in descendants(item)

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from bisect import bisect_left
+import re
+from bisect import bisect_left, bisect_right
+from collections.abc import Sequence
 from dataclasses import replace
 from typing import TypeAlias
 
@@ -11,15 +13,27 @@ from rapidsim.diagnostics import Diagnostic
 from rapidsim.syntax import tree
 from rapidsim.syntax.lexer import Tokens, lex
 from rapidsim.syntax.parser import parse_tokens
-from rapidsim.syntax.routine_text import item_ranges, parse_data, parse_items, parse_routine
+from rapidsim.syntax.routine_text import (
+    ParsedItems,
+    item_ranges,
+    parse_data,
+    parse_items,
+    parse_routine,
+)
 from rapidsim.values import value_class
 from rapidsim.workspace.changes import TextChange
 from rapidsim.workspace.spaced_source import SpacedSource
 
 _BLANKS = frozenset(" \t\r\n!")
 _LINE_ENDS = frozenset("\r\n")
+_REST_OF_LINE = re.compile(r"[ \t]*(?:![^\r\n]*)?(?:[\r\n]|$)")
+"""A line behind an item, without words and marks."""
 _MOST_ERRORS = 100
 """Number of errors in a file beyond which it is parsed as a whole; the repair stops at some."""
+_REACH = 4
+"""Number of pieces, two of which are items, that a correction may look at behind an error."""
+_MOST_PIECES = 400
+"""Number of pieces beyond which the whole file is parsed."""
 
 
 @value_class(frozen=True, slots=True, eq=False)
@@ -56,8 +70,24 @@ class EditedItems:
 Edited: TypeAlias = EditedRoutine | EditedData | EditedItems
 
 
+@value_class(frozen=True, slots=True, eq=False)
+class _Fault:
+    """Errors of syntax, with the first and the last piece on which they may depend."""
+
+    first: int
+    last: int
+    diagnostics: Sequence[Diagnostic]
+
+    def is_in(self, item: tree.Item | None) -> bool:
+        """Whether all errors are in the body of a routine."""
+        return isinstance(item, tree.RoutineNode) and all(
+            one.span is not None and item.header_end <= one.span.start < item.end
+            for one in self.diagnostics
+        )
+
+
 class FileUnits:
-    """The tree of a file, with comments and findings of the text by routine."""
+    """The tree of a file, with comments and findings of the text by piece."""
 
     def __init__(self, path: str, text: str) -> None:
         """Parse a file."""
@@ -65,44 +95,44 @@ class FileUnits:
         self.source = SpacedSource(path, text, list(item_ranges(tokens, text)))
         parsed = parse_tokens(_spaced(tokens, self.source), self.source)
         self.modules = parsed.file.modules
-        self._homes = {
-            self.source.piece_of(routine.start): (routine, module)
-            for module in self.modules
-            for routine in module.routines
-            if self.source.is_piece(routine.start, routine.end)
-        }
-        """Routines that can be parsed alone, with their modules, by number of their piece."""
-        self._data = {
-            self.source.piece_of(item.start): (item, module)
-            for module in self.modules
-            for item in module.items
-            if isinstance(item, tree.Data)
-            and item.value is not None
-            and self.source.text[item.end : item.end + 1] == ";"
-            and self.source.is_piece(item.start, item.end + 1)
-        }
-        """Data with values that can be parsed alone."""
-        self._items: dict[int, tuple[tree.Module, tuple[tree.Item, ...]]] = {
-            self.source.piece_of(item.start): (module, (item,))
-            for module in self.modules
-            for item in module.items
-            if self._is_piece(item)
-        }
-        """Data and routines by number of their piece, and those that came between, by module."""
+        self._items: dict[int, tuple[tree.Module, tuple[tree.Item, ...]]] = {}
+        """Items by the piece in which they begin, but the head and the end of their module."""
+        for module in self.modules:
+            self._take_module(module)
         self._comments: dict[int, list[tree.Comment]] = {}
-        self._inside: dict[int, list[Diagnostic]] = {}
-        self._outside: list[Diagnostic] = []
-        """Findings about the text that belong to no single routine."""
         for comment in parsed.file.comments:
             self._comments.setdefault(self.source.piece_of(comment.start), []).append(comment)
-        for found in parsed.diagnostics:
-            piece = -1 if found.span is None else self.source.piece_of(found.span.start)
-            routine = self._homes[piece][0] if piece in self._homes else None
-            place = -1 if found.span is None else found.span.start
-            if routine and routine.header_end <= place < routine.end:
-                self._inside.setdefault(piece, []).append(found)
-            else:
-                self._outside.append(found)
+        self._faults = [self._fault(found) for found in parsed.diagnostics]
+
+    def _take_module(self, module: tree.Module) -> None:
+        piece_of = self.source.piece_of
+        pieces = range(piece_of(module.name.end) + 1, piece_of(module.end - 1))
+        found: dict[int, list[tree.Item]] = {piece: [] for piece in pieces}
+        for item in module.items:
+            piece = piece_of(item.start)
+            if piece in found:
+                found[piece].append(item)
+        self._items |= {piece: (module, tuple(items)) for piece, items in found.items()}
+
+    def _fault(self, error: Diagnostic) -> _Fault:
+        """An error in the file as a whole, with what it may depend on."""
+        if error.span is None:
+            return _Fault(0, len(self._items) + _REACH, (error,))
+        start, end = error.span.start, error.span.end
+        first = last = self.source.piece_of(start)
+        routine = self._alone(first)
+        if not (
+            isinstance(routine, tree.RoutineNode) and routine.header_end <= start < routine.end
+        ):
+            # The item that contains it, or ends before it, may begin long before.
+            items = [item for one in self.modules for item in one.items]
+            number = bisect_right(items, start, key=lambda item: item.start)
+            for item in items[max(number - 1, 0) : number + 1]:
+                if item.start <= end and start <= item.end:
+                    first = min(first, self.source.piece_of(item.start))
+                    end = max(end, item.end)
+            last = self.source.piece_of(end)
+        return _Fault(first, last + _REACH, (error,))
 
     @property
     def file(self) -> tree.File:
@@ -123,7 +153,7 @@ class FileUnits:
     @property
     def diagnostics(self) -> list[Diagnostic]:
         """Findings about the text."""
-        return [*self._outside, *(one for found in self._inside.values() for one in found)]
+        return [one for fault in self._faults for one in fault.diagnostics]
 
     def edit(self, change: TextChange) -> Edited | None:
         """Change items of a module, and parse them.
@@ -133,105 +163,191 @@ class FileUnits:
             are still the old ones; None if the file must be parsed as a whole. The text may have
             changed then.
         """
-        place = self.source.piece_at(change.start, change.end)
-        if place is None or self._outside or len(self.diagnostics) > _MOST_ERRORS:
-            # Corrections outside of routines may depend on all text before them.
+        place = self.source.piece_at(change.start, change.end, change.text)
+        if place is None or len(self.diagnostics) > _MOST_ERRORS:
             return None
         piece, start, stop = place
+        address, item = start + change.start - self.source.offset(start), self._alone(piece)
+        if piece not in self._items or not self.source.replace(
+            change.start, change.end, change.text
+        ):
+            return None
         end = stop + len(change.text) - (change.end - change.start)
-        address = self.source.address(change.start)
-        if piece in self._data and piece not in self._comments:
-            value = self._data[piece][0].value
+        if not self._is_apart(piece, start, end):
+            return None
+        module = self._items[piece][0]
+        near = [one for one in self._faults if one.first <= piece <= one.last]
+        own = [one for one in near if one.is_in(item)]
+        before = [one for one in near if one not in own]
+        behind = [one for one in self._faults if piece < one.first <= piece + _REACH]
+        if before:
+            return self._parse_around(piece)
+        if isinstance(item, tree.Data) and not (own or behind or piece in self._comments):
+            value = item.value
+            data = None
             if value is not None and address >= value.start:
-                return self._edit_data(change, piece, start, end)
-        if piece in self._homes and address >= self._homes[piece][0].header_end:
-            return self._edit_routine(change, piece, start, end)
-        return self._edit_items(change, piece, start, end)
-
-    def _edit_routine(
-        self, change: TextChange, piece: int, start: int, end: int
-    ) -> EditedRoutine | EditedItems | None:
-        routine, module = self._homes[piece]
-        if not self.source.replace(change.start, change.end, change.text):
-            return None
-        parsed = parse_routine(self.source, start, end, routine, module)
-        if parsed is None:
-            return self._parse_items(piece, start, end)
-        if (parsed.diagnostics or self._inside.get(piece)) and self._inside.get(piece + 2):
+                data = parse_data(self.source, start, end, item, module)
+            if data is not None:
+                return EditedData(item, module, data)
+        if isinstance(item, tree.RoutineNode) and address >= item.header_end:
+            parsed = parse_routine(self.source, start, end, item, module)
             # A correction at the end of a routine looks a few tokens further.
-            return None
-        self._comments[piece] = list(parsed.comments)
-        self._inside[piece] = list(parsed.diagnostics)
-        return EditedRoutine(routine, module, parsed.routine)
+            if parsed is not None and not ((own or parsed.diagnostics) and behind):
+                self._comments[piece] = list(parsed.comments)
+                self._faults = [one for one in self._faults if one not in own]
+                if parsed.diagnostics:
+                    self._faults.append(_Fault(piece, piece + _REACH, parsed.diagnostics))
+                return EditedRoutine(item, module, parsed.routine)
+        return self._parse_around(piece)
 
-    def _edit_items(
-        self, change: TextChange, piece: int, start: int, end: int
-    ) -> EditedItems | None:
-        if piece not in self._items and not self._is_between(piece, start):
-            return None
-        if not self.source.replace(change.start, change.end, change.text):
-            return None
-        return self._parse_items(piece, start, end)
+    def _alone(self, piece: int) -> tree.Routine | tree.Data | None:
+        """The only item of a piece, if it can be parsed alone."""
+        match self._items.get(piece):
+            case _, (tree.RoutineNode() as routine,) if self.source.is_piece(
+                routine.start, routine.end
+            ):
+                return routine
+            case _, (tree.Data() as data,) if self.source.is_piece(data.start, data.end + 1):
+                return data if self.source.text[data.end : data.end + 1] == ";" else None
+            case _:
+                return None
 
-    def _parse_items(self, piece: int, start: int, end: int) -> EditedItems | None:
-        """Parse a piece whose text changed, if it and the others of the file have no errors."""
-        if any(self._inside.values()) or piece not in self._items:
-            # A correction in a routine looks a few tokens further.
-            return None
-        module, removed = self._items[piece]
-        text = self.source.text[start:end]
-        parsed = parse_items(self.source, start, end, module)
-        if parsed is None:
-            return None
-        if piece % 2:
-            is_apart = parsed.last == end or not text.strip()
-        else:
-            is_apart = text[:1] in _BLANKS and text[-1:] in _LINE_ENDS
-        if not is_apart:
-            return None
-        self._items[piece] = module, parsed.items
-        self._comments[piece] = list(parsed.comments)
-        self._homes.pop(piece, None)
-        self._data.pop(piece, None)
-        for item in parsed.items:
-            if not self._is_piece(item):
-                continue
-            if isinstance(item, tree.Routine):
-                self._homes[piece] = item, module
-            elif isinstance(item, tree.Data) and item.value is not None:
-                self._data[piece] = item, module
-        return EditedItems(module, removed, parsed.items)
-
-    def _is_piece(self, item: tree.Item) -> bool:
-        """Whether an item is alone in a piece, so that it can be parsed alone."""
-        if isinstance(item, tree.Routine):
-            return self.source.is_piece(item.start, item.end)
-        is_closed = self.source.text[item.end : item.end + 1] == ";"
-        is_data = isinstance(item, tree.Data) and is_closed
-        return is_data and self.source.is_piece(item.start, item.end + 1)
-
-    def _is_between(self, piece: int, start: int) -> bool:
-        """Whether a piece lies between two of one module and has only blanks and comments."""
-        before, behind = self._items.get(piece - 1), self._items.get(piece + 1)
-        if before is None or behind is None or before[0] is not behind[0]:
-            return False
-        stop = self.source.end_address(piece)
+    def _is_apart(self, piece: int, start: int, end: int) -> bool:
+        """Whether the text of a piece has no word, string or comment in common with the next."""
         text = self.source.text
-        if len(lex(text, [(0, start), (stop, len(text))]).kinds) > 1:
-            return False
-        self._items[piece] = before[0], ()
-        return True
+        if piece % 2 == 0:
+            is_between = text[start : start + 1] in _BLANKS and text[end - 1 : end] in _LINE_ENDS
+            is_after_item = bool(self.source.text_of(piece - 1))
+            starts = not is_after_item or _REST_OF_LINE.match(text, start, end) is not None
+            return start == end or (is_between and starts)
+        behind = self.source.text_of(piece + 1)
+        if behind[:1] in _LINE_ENDS or not text[start:end].strip():
+            return True
+        tokens = lex(text, [(0, start), (end, len(text))])
+        return len(tokens.ends) > 1 and tokens.ends[-2] == end and not tokens.unterminated
 
-    def _edit_data(
-        self, change: TextChange, piece: int, start: int, end: int
-    ) -> EditedData | EditedItems | None:
-        data, module = self._data[piece]
-        if not self.source.replace(change.start, change.end, change.text):
+    def _parse_around(self, piece: int) -> EditedItems | None:
+        """Parse a piece whose text changed, with as many others as may read otherwise now."""
+        module = self._items[piece][0]
+        inner = [one for one, (home, _) in self._items.items() if home is module]
+        first, last = piece, piece + _REACH * bool(self._faults)
+        while True:
+            first, last = self._with_faults(first, last)
+            begin = self._begin(first, module)
+            stop = min(last, inner[-1])
+            if begin is None or first < inner[0] or stop - begin > _MOST_PIECES:
+                return None
+            closes = last > stop
+            if closes and (module is not self.modules[-1] or self._has_faults_behind(stop + 1)):
+                # A correction looks at the text behind the module.
+                return None
+            parsed = self._parse_pieces(begin, stop, module, closes=closes)
+            if parsed is None:
+                return None
+            kept, reach = self._unchanged(parsed, piece, begin, stop)
+            is_faulty = bool(parsed.diagnostics)
+            if reach + _REACH * is_faulty <= last or closes:
+                break
+            last = max(reach + _REACH, last + (last - first))
+        first = begin
+        pieces = [self.source.piece_of(item.start) for item in parsed.items]
+        if pieces and not first <= min(pieces) <= max(pieces) <= stop:
+            # The end of the module was skipped with an item.
             return None
-        parsed = parse_data(self.source, start, end, data, module)
-        if parsed is None:
-            return self._parse_items(piece, start, end)
-        return EditedData(data, module, parsed)
+        removed = [item for one in range(first, stop + 1) for item in self._items[one][1]]
+        added = [kept.get(item.start, item) for item in parsed.items]
+        self._faults = [one for one in self._faults if not first <= one.first <= last]
+        if parsed.diagnostics:
+            self._faults.append(_Fault(first, last, parsed.diagnostics))
+        for one in range(first, stop + 1):
+            self._items[one] = module, ()
+            self._comments.pop(one, None)
+        for one, item in zip(pieces, added, strict=True):
+            self._items[one] = module, (*self._items[one][1], item)
+        for comment in parsed.comments:
+            self._comments.setdefault(self.source.piece_of(comment.start), []).append(comment)
+        stay = set(kept.values())
+        return EditedItems(
+            module,
+            tuple(item for item in removed if item not in stay),
+            tuple(item for item in added if item not in stay),
+        )
+
+    def _begin(self, piece: int, module: tree.Module) -> int | None:
+        """The last piece with an item before another piece, as a correction may look at its end.
+
+        Returns:
+            The piece itself if no item is before it; None if a correction may look at the head.
+        """
+        begin = piece
+        while self._items.get(begin - 1, (None,))[0] is module:
+            begin -= 1
+            if begin % 2 and self._items[begin][1]:
+                return begin
+        head = self.source.text[module.name.end : self.source.addresses(begin)[0]]
+        return None if head.lstrip().startswith("(") else begin
+
+    def _has_faults_behind(self, piece: int) -> bool:
+        """Whether there is an error behind a piece."""
+        _, end = self.source.addresses(piece)
+        return any(
+            one.span is None or end < one.span.start
+            for fault in self._faults
+            for one in fault.diagnostics
+        )
+
+    def _with_faults(self, first: int, last: int) -> tuple[int, int]:
+        """Widen a range of pieces by the errors that depend on some of them."""
+        while True:
+            near = [one for one in self._faults if one.first <= last and first <= one.last]
+            wider = (
+                min([first, *(one.first for one in near)]),
+                max([last, *(one.last for one in near)]),
+            )
+            if wider == (first, last):
+                return wider
+            first, last = wider
+
+    def _parse_pieces(
+        self, first: int, last: int, module: tree.Module, *, closes: bool
+    ) -> ParsedItems | None:
+        """Parse a range of pieces, with the end of the module if it follows and is asked for."""
+        start, _ = self.source.addresses(first)
+        _, end = self.source.addresses(last + closes)
+        return parse_items(self.source, start, end, module, closes=closes)
+
+    def _unchanged(
+        self, parsed: ParsedItems, piece: int, first: int, last: int
+    ) -> tuple[dict[int, tree.Item], int]:
+        """Compare items with those before.
+
+        Returns:
+            The items before that stay, by address; and the last piece with anything else.
+        """
+        errors = [*parsed.diagnostics]
+        errors += [d for one in self._faults if first <= one.first <= last for d in one.diagnostics]
+        spans = [one.span for one in errors if one.span is not None]
+        reach = piece
+        for span in spans:
+            reach = max(reach, self.source.piece_of(span.end))
+        new = {item.start: item for item in parsed.items}
+        kept: dict[int, tree.Item] = {}
+        for one in range(first, last + 1):
+            for item in self._items[one][1]:
+                other = new.get(item.start)
+                if (
+                    one != piece
+                    and other is not None
+                    and (type(other), other.end) == (type(item), item.end)
+                    and not any(item.start <= at.end and at.start <= item.end for at in spans)
+                ):
+                    kept[item.start] = item
+                else:
+                    reach = max(reach, one, self.source.piece_of(item.end))
+        for item in parsed.items:
+            if item.start not in kept:
+                reach = max(reach, self.source.piece_of(item.end))
+        return kept, reach
 
 
 def _spaced(tokens: Tokens, source: SpacedSource) -> Tokens:

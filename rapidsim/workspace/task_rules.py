@@ -8,8 +8,8 @@ from rapidsim.analysis.context import Analysis
 from rapidsim.analysis.passes.checker import Find
 from rapidsim.analysis.passes.versions import find_newer
 from rapidsim.analysis.program_parts import Facts, ProgramPart
-from rapidsim.analysis.rules.table import RuleScope, scope_of
-from rapidsim.diagnostics import Diagnostic
+from rapidsim.analysis.rules.table import RuleScope, scope_of, violations_of
+from rapidsim.diagnostics import Diagnostic, Violation
 from rapidsim.syntax import tree
 from rapidsim.syntax.parser import parse
 from rapidsim.workspace.file_units import FileUnits
@@ -21,10 +21,18 @@ class TaskRules:
     def __init__(self, rules: Sequence[Find]) -> None:
         """Take the detectors."""
         scopes = {rule: scope_of(rule) for rule in rules}
+        self._rank: dict[type[Violation], int] = {}
+        for number, rule in enumerate(rules):
+            for kind in violations_of(rule):
+                self._rank.setdefault(kind, number)
         self._of_text = [rule for rule in rules if scopes[rule] is RuleScope.TEXT]
         self._of_file = [rule for rule in rules if scopes[rule] is RuleScope.FILE]
         self._of_routine = [rule for rule in rules if scopes[rule] is RuleScope.ROUTINE]
         self._of_task = [rule for rule in rules if scopes[rule] is RuleScope.TASK]
+
+    def rank(self, finding: Diagnostic) -> int:
+        """The number of the detector of a finding; -1 for findings of the check itself."""
+        return self._rank.get(type(finding.violation), -1)
 
     def in_file(self, file: FileUnits) -> list[Diagnostic]:
         """Findings that depend on the characters of one file, at their offsets in it."""

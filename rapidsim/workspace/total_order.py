@@ -3,26 +3,38 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from itertools import groupby
+from itertools import groupby, pairwise
+from operator import attrgetter
 
 from rapidsim.diagnostics import Diagnostic
+
+_ORDER = attrgetter("order")
 
 
 def in_total_order(findings: Iterable[Diagnostic]) -> tuple[Diagnostic, ...]:
     """Return findings by file, offset, code, message and whatever else they consist of."""
-    coarse = sorted(findings, key=_place_and_code)
+    found = sorted(findings, key=_ORDER)
+    repeated = {one.order for one, other in pairwise(found) if one.order == other.order}
+    if not repeated:
+        return tuple(found)
+    listed: list[Diagnostic] = []
+    for place, findings in groupby(found, key=_ORDER):
+        group = list(findings)
+        listed += _of_one_place(group) if place in repeated else group
+    return tuple(listed)
+
+
+def _of_one_place(findings: list[Diagnostic]) -> list[Diagnostic]:
     # A message is composed only where the other keys are equal.
-    groups = [list(group) for _, group in groupby(coarse, key=_place_and_code)]
-    return tuple(
-        one
-        for group in groups
-        for one in (group if len(group) == 1 else sorted(group, key=_contents))
-    )
+    if len({_code(one) for one in findings}) == len(findings):
+        return sorted(findings, key=_code)
+    return sorted(findings, key=_contents)
 
 
-def _place_and_code(finding: Diagnostic) -> tuple[tuple[str, int], str]:
-    return finding.order, finding.violation.rule.code
+def _code(finding: Diagnostic) -> str:
+    return finding.violation.rule.code
 
 
-def _contents(finding: Diagnostic) -> tuple[str, int, str]:
-    return finding.message, finding.span.end if finding.span else 0, repr(finding.related)
+def _contents(finding: Diagnostic) -> tuple[str, str, int, str]:
+    end = finding.span.end if finding.span else 0
+    return _code(finding), finding.message, end, repr(finding.related)

@@ -104,6 +104,14 @@ class Workspace:
         """
         return self._task_of[path].findings(path)
 
+    def as_checked(self, path: str) -> tuple[tuple[tree.File, ...], tuple[Diagnostic, ...]]:
+        """Return the task of a file as a check has it; see `CheckedTask.as_checked`.
+
+        Raises:
+            KeyError: If there is no such file.
+        """
+        return self._task_of[path].as_checked()
+
     def text(self, path: str) -> str:
         """The text of a file.
 

@@ -132,3 +132,11 @@ def test_a_warning_does_not_stand_for_an_error_of_the_same_words(tmp_path: Path)
     found = [line.partition(" ")[2] for line in checked.out.splitlines() if "M501" in line]
     message = "[M501] the orientation of `kNone` has length 0.0000, not 1"
     assert found == [f"error{message}", f"warning{message}"]
+
+
+def test_a_main_with_parameters_is_not_run(tmp_path: Path) -> None:
+    file = tmp_path / "m.mod"
+    file.write_text(
+        "MODULE m\n  PROC main(num a)\n    VAR num b;\n    b:=1/a;\n  ENDPROC\nENDMODULE\n"
+    )
+    assert rapidsim.check([file]).ok

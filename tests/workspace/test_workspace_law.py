@@ -160,6 +160,19 @@ BODY = "MODULE m\n{}  PROC main()\n{}  ENDPROC\n{}ENDMODULE\n"
             id="the file had another line end",
         ),
         pytest.param(
+            BODY.format("", "    x := 1;\n", "")[: -len("ENDMODULE\n")].replace("\n", "\r\n"),
+            "x := 1",
+            "x := 12",
+            id="a fix adds a line with the line end of the file",
+        ),
+        pytest.param(
+            BODY.format("", "", "  FUNC num f()\n    RETURN 1;\n")[:-10]
+            + "  FUNC num g()\n  ENDFUNC ! note\nENDMODULE\n",
+            "RETURN 1",
+            "RETURN 2",
+            id="a fix adds a line behind a comment",
+        ),
+        pytest.param(
             BODY.format("", "    VAR other x;\n    x:=[1,2];\n", "  VAR other y;\n"),
             "x:=[1,2]",
             "x:=[1]",
@@ -258,3 +271,37 @@ def test_an_edit_of_a_declaration_checks_what_names_it(old: str, new: str) -> No
         assert cell.change("m.mod", [change]).is_local
         fresh = fresh_findings({"m.mod": text})["m.mod"]
         assert [contents(one) for one in cell.findings("m.mod")] == fresh
+
+
+@pytest.mark.parametrize(
+    "typed",
+    [
+        "  VAR num added:=[1,2];\n",
+        "  PROC typed(num x)\n  ENDPROC\n",
+        '  CONST string note:="a b"; ! why\n',
+    ],
+)
+def test_typing_a_declaration_reads_its_neighbours(typed: str) -> None:
+    text = DECLARATIONS
+    at = text.index("\n  PROC helper") + 1
+    cell = opened({"m.mod": text})
+    for character in typed:
+        change = TextChange(at, at, character)
+        text, at = changed_text(text, [change]), at + 1
+        assert cell.change("m.mod", [change]).is_local
+        fresh = fresh_findings({"m.mod": text})["m.mod"]
+        assert [contents(one) for one in cell.findings("m.mod")] == fresh
+
+
+def test_an_empty_module_is_typed_by_part() -> None:
+    text = "MODULE m\n\nENDMODULE\n"
+    cell = opened({"m.mod": text})
+    at = text.index("\n") + 1
+    ways = []
+    for character in "  VAR num first;\n  PROC main()\n    first:=1;\n  ENDPROC\n":
+        change = TextChange(at, at, character)
+        text, at = changed_text(text, [change]), at + 1
+        ways.append(cell.change("m.mod", [change]).is_local)
+        fresh = fresh_findings({"m.mod": text})["m.mod"]
+        assert [contents(one) for one in cell.findings("m.mod")] == fresh
+    assert ways.count(False) < 3

@@ -7,6 +7,7 @@ within one, the summaries are iterated to their least fixed point.
 from __future__ import annotations
 
 from collections.abc import Callable, Hashable, Iterable, Mapping, Sequence
+from heapq import heapify, heappop, heappush
 from typing import TypeVar
 
 R = TypeVar("R", bound=Hashable)
@@ -81,3 +82,34 @@ def summarise(
             if not is_recursive or [summaries[routine] for routine in component] == before:
                 break
     return summaries
+
+
+def resummarise(
+    summaries: dict[R, S],
+    changed: Iterable[R],
+    component_of: Mapping[R, int],
+    callers: Callable[[R], Iterable[R]],
+    summary_of: Callable[[R, Mapping[R, S]], S],
+) -> None:
+    """Renew the summaries of routines that do not call themselves, and those that follow from them.
+
+    Args:
+        summaries: The summaries, of which those that are others now are replaced.
+        changed: The routines that changed, but have the same callees as before.
+        component_of: The number of the component of each routine, callees first.
+        callers: Returns the routines that call a routine.
+        summary_of: As in `summarise`.
+    """
+    waiting = {component_of[routine]: routine for routine in changed}
+    numbers = list(waiting)
+    heapify(numbers)
+    while numbers:
+        routine = waiting[heappop(numbers)]
+        before = summaries[routine]
+        summaries[routine] = summary_of(routine, summaries)
+        if summaries[routine] == before:
+            continue
+        for caller in callers(routine):
+            if caller in summaries and component_of[caller] not in waiting:
+                waiting[component_of[caller]] = caller
+                heappush(numbers, component_of[caller])

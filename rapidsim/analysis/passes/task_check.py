@@ -15,6 +15,7 @@ from rapidsim.analysis.cell_names import NO_CELL, CellNames
 from rapidsim.analysis.context import Analysis, Context, UnitResults
 from rapidsim.analysis.installed import installed_symbol
 from rapidsim.analysis.names.name_violations import UnknownUnit
+from rapidsim.analysis.passes.assumed_signals import compared_signals
 from rapidsim.analysis.passes.control_flow import check_flow
 from rapidsim.analysis.passes.declarations import (
     Accepted,
@@ -36,7 +37,6 @@ from rapidsim.diagnostics import Diagnostic
 from rapidsim.language.types import Type
 from rapidsim.library.traits import Trait
 from rapidsim.syntax import tree
-from rapidsim.values import value_class
 
 _DEEPEST = 20_000
 """Maximum depth of Python calls while checking; the parser limits the nesting of programs."""
@@ -77,9 +77,8 @@ class TaskCheck:
         self.circles = UnitResults()
         self.units: dict[tree.Routine, UnitResults] = {}
         """Results of each routine, in the order of the files."""
-        self.conclusions = UnitResults()
-        """Results for undeclared names, which depend on all units."""
-        self._decided: dict[tree.DataReference, _Decision] = {}
+        self._decisions: dict[tree.Item | None, _Decisions] = {}
+        """Decisions about undeclared names in each unit, which depend on all units."""
         with deep_recursion():
             self._check_declarations(visitor)
             for module in self.modules:
@@ -91,7 +90,8 @@ class TaskCheck:
         """Yield the findings of all units; those reported once per name at its first use."""
         for found in self._by_unit():
             yield from found
-        yield from self.conclusions.diagnostics
+        for one in self._decisions.values():
+            yield from one.results.diagnostics
 
     def _by_unit(self) -> Iterator[list[Diagnostic]]:
         seen: set[str] = set()
@@ -153,6 +153,7 @@ class TaskCheck:
         module.take_items(tuple(sorted(items, key=lambda item: item.start)))
         for item in added:
             self.read_item(item, module)
+        self.analysis.unread_text = "\n".join(self.unread.values())
         before = {node for _, node in self._accepted} - old
         self._accepted = self._find_accepted()
         if {node for _, node in self._accepted}.difference(added) != before:
@@ -252,37 +253,38 @@ class TaskCheck:
             The routines with a use that was decided differently before; None for declarations.
         """
         analysis = self.analysis
-        before = self._decided
-        for reference, decision in before.items():
-            decision.withdraw(reference, analysis)
         analysis.signals, analysis.unknown, analysis.undeclared = {}, {}, []
-        for unit in (self.declarations, *self.values.values(), *self.units.values()):
+        units: dict[tree.Item | None, UnitResults] = {None: self.declarations}
+        units.update(self.values.items())
+        units.update(self.units.items())
+        for unit in units.values():
             for name, of in unit.signals.items():
                 analysis.signals.setdefault(name, of)
-            analysis.unknown |= unit.unknown
-            analysis.undeclared += unit.undeclared
-        analysis.unit = self.conclusions = UnitResults()
-        open_uses = [
-            (reference, context.routine, reference in analysis.type_of)
-            for reference, context in analysis.undeclared
-            if reference not in analysis.symbol_of
-        ]
-        decide_undeclared(analysis)
-        analysis.unknown |= self.conclusions.unknown
-        self._decided = {
-            reference: _Decision(
-                analysis.type_of[reference], None if routine is None else routine.node, has_type
-            )
-            for reference, routine, has_type in open_uses
-            if reference in analysis.symbol_of
-        }
-        now = self._decided
-        return {
-            decision.routine
-            for some, others in ((before, now), (now, before))
-            for reference, decision in some.items()
-            if others.get(reference) != decision
-        }
+            if unit.unknown:
+                analysis.unknown |= unit.unknown
+            if unit.undeclared:
+                analysis.undeclared += unit.undeclared
+        compared = compared_signals(analysis) if analysis.cell.assumes else frozenset[str]()
+        reported: set[str] = set()
+        before, self._decisions = self._decisions, {}
+        changed: set[tree.Routine | None] = set()
+        for item, unit in units.items():
+            if not unit.undeclared:
+                continue
+            old = before.pop(item, None)
+            if old is None or not old.holds(unit, analysis, reported):
+                if old is not None:
+                    old.withdraw(analysis)
+                new = self._decisions[item] = _Decisions(unit, analysis, reported, compared)
+                if new.types != ({} if old is None else old.types):
+                    changed.add(item if isinstance(item, tree.Routine) else None)
+            else:
+                self._decisions[item] = old
+                reported |= old.reported
+            analysis.unknown |= self._decisions[item].results.unknown
+        for old in before.values():
+            old.withdraw(analysis)
+        return changed
 
     def forget(self, routine: tree.Routine, nodes: Iterable[tree.Node]) -> None:
         """Remove what is known of the body of a routine.
@@ -309,23 +311,56 @@ class TaskCheck:
             analysis.type_of.pop(node, None)
             if isinstance(node, tree.DataReference):
                 analysis.wanted_of_undeclared.pop(node, None)
-                self._decided.pop(node, None)
 
 
-@value_class(frozen=True, slots=True)
-class _Decision:
-    """A use of an undeclared name that was decided to be a signal."""
+class _Decisions:
+    """Decisions about the undeclared names in one unit, which may depend on other units."""
 
-    type: Type
-    routine: tree.Routine | None
-    has_own_type: bool
-    """Whether the type was known before."""
+    def __init__(
+        self, unit: UnitResults, analysis: Analysis, reported: set[str], compared: frozenset[str]
+    ) -> None:
+        """Decide them; see `decide_undeclared`."""
+        self._unit = unit
+        self._keys = list(dict.fromkeys(reference.name.key for reference, _ in unit.undeclared))
+        self._known = self._knowledge(analysis, reported)
+        open_uses = {
+            reference: reference in analysis.type_of
+            for reference, _ in unit.undeclared
+            if reference not in analysis.symbol_of
+        }
+        before = set(reported)
+        analysis.unit = self.results = UnitResults()
+        decide_undeclared(unit.undeclared, analysis, reported, compared)
+        self.reported = reported - before
+        self.types = {
+            reference: (analysis.type_of[reference], has_type)
+            for reference, has_type in open_uses.items()
+            if reference in analysis.symbol_of
+        }
+        """Types of the uses of signals, each with whether it was known before."""
 
-    def withdraw(self, reference: tree.DataReference, analysis: Analysis) -> None:
-        """Remove the decision from the tables."""
-        analysis.symbol_of.pop(reference, None)
-        if not self.has_own_type:
-            analysis.type_of.pop(reference, None)
+    def holds(self, unit: UnitResults, analysis: Analysis, reported: set[str]) -> bool:
+        """Whether a unit has the same uses, all of signals, and knows the same of them as before.
+
+        What else a name may be depends on more of the task.
+        """
+        kinds = self._known[0]
+        is_same = unit is self._unit and self._known == self._knowledge(analysis, reported)
+        return is_same and None not in kinds
+
+    def withdraw(self, analysis: Analysis) -> None:
+        """Remove the decisions from the tables."""
+        for reference, (_, has_own_type) in self.types.items():
+            analysis.symbol_of.pop(reference, None)
+            if not has_own_type:
+                analysis.type_of.pop(reference, None)
+
+    def _knowledge(
+        self, analysis: Analysis, reported: set[str]
+    ) -> tuple[list[Type | None], list[bool]]:
+        """The kinds of signals that are known from their use, and whether they were reported."""
+        kinds = [analysis.signals.get(key) for key in self._keys]
+        return kinds, [key in reported for key in self._keys]
 
 
 def _unit_name(finding: Diagnostic) -> str | None:

@@ -2,23 +2,32 @@
 
 from __future__ import annotations
 
-from rapidsim.analysis.context import Analysis
+from collections.abc import Iterable
+
+from rapidsim.analysis.context import Analysis, Context
 from rapidsim.analysis.names.names import evident_signal, report_undefined
 from rapidsim.analysis.names.signal_violations import UnknownSignal
-from rapidsim.analysis.passes.assumed_signals import compared_signals
 from rapidsim.analysis.suggestions import closest
 from rapidsim.analysis.types.assignability import agrees, report_mismatch
 from rapidsim.language.types import BOOL, DNUM, NUM, SIGNAL_DI, Type, resolved
+from rapidsim.syntax import tree
 
 
-def decide_undeclared(analysis: Analysis) -> None:
+def decide_undeclared(
+    uses: Iterable[tuple[tree.DataReference, Context]],
+    analysis: Analysis,
+    reported: set[str],
+    compared: frozenset[str],
+) -> None:
     """Resolve undeclared names to signals if used or spelt like one; report the others.
 
-    A signal is reported at its first use.
+    Args:
+        uses: The uses in one unit, in source order.
+        analysis: Receives the results.
+        reported: Folded names of the signals that were reported at their first use.
+        compared: Folded names that are compared as signals are, if the cell assumes them.
     """
-    reported: set[str] = set()
-    compared = compared_signals(analysis) if analysis.cell.assumes else frozenset()
-    for reference, context in analysis.undeclared:
+    for reference, context in uses:
         name = reference.name
         key = name.key
         of = (

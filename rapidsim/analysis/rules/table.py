@@ -157,6 +157,11 @@ def scope_of(find: Callable[[Facts], Iterable[Diagnostic]]) -> RuleScope:
     return next((one.scope for one in DETECTORS if one.find is find), RuleScope.TASK)
 
 
+def violations_of(find: Callable[[Facts], Iterable[Diagnostic]]) -> tuple[type[Violation], ...]:
+    """Return what a detector finds; nothing for a function outside of the table."""
+    return next((one.rules for one in DETECTORS if one.find is find), ())
+
+
 def detectors_of(
     is_wanted: Callable[[Rule], bool] = lambda rule: rule.on_by_default,
 ) -> tuple[Callable[[Facts], Iterable[Diagnostic]], ...]:

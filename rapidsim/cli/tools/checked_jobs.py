@@ -7,6 +7,7 @@ from collections.abc import Sequence
 
 from rapidsim.cli.interrupted import report_if_interrupted
 from rapidsim.cli.terminal import echo
+from rapidsim.cli.tools.watch_mode import watched_tasks
 from rapidsim.jobs.cache.result_cache import ResultCache
 from rapidsim.jobs.cache.result_store import ResultStore, cache_folder
 from rapidsim.jobs.checking.batch_check import check_jobs
@@ -31,7 +32,7 @@ def checked_jobs(jobs: Sequence[Job], processes: int, *, uses_cache: bool) -> li
     results: list[CheckResult] = []
     notices: list[str] = []
     with report_if_interrupted(so_far):
-        for checked in check_jobs(jobs, kept, processes):
+        for checked in check_jobs(jobs, kept, processes, watched_tasks()):
             done += 1
             results.append(checked.result)
             notices += checked.notices

@@ -5,7 +5,9 @@ from __future__ import annotations
 import functools
 import time
 from collections.abc import Callable, Mapping, Sequence
+from contextvars import ContextVar
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import click
 
@@ -14,10 +16,15 @@ from rapidsim.files import InputError
 from rapidsim.module_files import MODULE_SUFFIXES
 from rapidsim.station.station import find_station
 
+if TYPE_CHECKING:
+    from rapidsim.jobs.checking.watched_tasks import WatchedTasks
+
 _LOOKS_S = 0.4
 _PROGRAM = ".pgf"
 _READ = {*MODULE_SUFFIXES, _PROGRAM, ".toml", ".cfg"}
 """Files of a folder that can change the output of a command."""
+
+_WATCHED: ContextVar[WatchedTasks | None] = ContextVar("watched", default=None)
 
 Stamps = Mapping[str, tuple[int, int]]
 """Time of change [ns] and size of each file."""
@@ -40,6 +47,10 @@ def watch_option(command: Callable[..., int]) -> Callable[..., int]:
             raise InputError("--watch and --write-pers exclude each other")
         beside = [options.get(name) for name in ("station", "io", "answers")]
         named = [str(file) for file in beside if file is not None]
+        # A command that runs once does not pay for importing it.
+        from rapidsim.jobs.checking.watched_tasks import WatchedTasks
+
+        _WATCHED.set(WatchedTasks())
         while True:
             before = _stamps(paths, named)
             try:
@@ -63,6 +74,11 @@ def watch_option(command: Callable[..., int]) -> Callable[..., int]:
 
     option = click.option("--watch", is_flag=True, help="Repeat when one of the files changes.")
     return option(watching)
+
+
+def watched_tasks() -> WatchedTasks | None:
+    """The tasks as they were when the command ran last; None for one that runs once."""
+    return _WATCHED.get()
 
 
 def wait_for_change() -> None:

@@ -79,6 +79,7 @@ class _Places:
         self._numbers: dict[tuple[str, str | None], int] = {}
 
     def of(self, span: Span) -> Sequence[int]:
+        span = span.written
         source = span.source
         known = self._known.get(source.file) == source.text
         text = (source.file, None if known else source.text)

@@ -20,6 +20,7 @@ from rapidsim.values import value_class
 if TYPE_CHECKING:
     from rapidsim.jobs.checking.check_files import TaskMoves
     from rapidsim.jobs.checking.checked_program import LoadedProgram
+    from rapidsim.jobs.checking.watched_tasks import WatchedTasks
     from rapidsim.motion.robot.robot import Robot
 
 
@@ -33,19 +34,25 @@ class JobCheck:
     """Notices about the arms that were used."""
 
 
-def check_jobs(jobs: Sequence[Job], kept: ResultCache, processes: int = 1) -> Iterator[JobCheck]:
+def check_jobs(
+    jobs: Sequence[Job],
+    kept: ResultCache,
+    processes: int = 1,
+    open_tasks: WatchedTasks | None = None,
+) -> Iterator[JobCheck]:
     """Check jobs independently and yield their results in order.
 
     Args:
         jobs: The jobs to check.
         kept: Cache of earlier results.
         processes: Number of jobs at a time; of a single job, number of its tasks.
+        open_tasks: The tasks of a single job as they were at the last check; None checks once.
     """
     known = [kept.of_job(job) for job in jobs]
     left = [job for job, found in zip(jobs, known, strict=True) if found is None]
     records: Iterator[Record] = map(_job_record, left)
     if len(left) == 1:
-        records = iter([_only(left[0], kept, processes)])
+        records = iter([_only(left[0], kept, processes, open_tasks if len(jobs) == 1 else None)])
     elif processes > 1:
         # Most checks are of one program, and do not pay for importing what starts processes.
         from rapidsim.jobs.cache.processes import in_processes
@@ -94,13 +101,13 @@ def _checked(job: Job, stored: StoredFindings) -> JobCheck:
     return JobCheck(result, stored.notices)
 
 
-def _only(job: Job, kept: ResultCache, processes: int) -> Record:
+def _only(job: Job, kept: ResultCache, processes: int, open_tasks: WatchedTasks | None) -> Record:
     """Return the record of a job; tasks without a cached record are checked in parallel."""
     if len(job.tasks) < 2:
-        return _job_record(job)
+        return _job_record(job, open_tasks)
     from rapidsim.jobs.checking.check_files import check_job
 
-    watched = _ObservedJob(job)
+    observed = _ObservedJob(job)
 
     def moves_for(with_arm: Job) -> TaskMoves:
         # Findings of one task depend on the arm, and the arm on the targets of all tasks.
@@ -121,30 +128,30 @@ def _only(job: Job, kept: ResultCache, processes: int) -> Record:
             sources = [file.source for file in loaded.files]
             if task.name in known:
                 found = read_findings(known[task.name], sources)
-                watched.notices.extend(found.notices)
+                observed.notices.extend(found.notices)
                 return ReachReport(found.diagnostics, found.coverage)
-            heard = len(watched.notices)
+            heard = len(observed.notices)
             report = make()
-            kept.keep_task(asked, task, watched.record(report, heard))
+            kept.keep_task(asked, task, observed.record(report, heard))
             return report
 
         return moves_of
 
-    return watched.record(check_job(watched.job, moves_for))
+    return observed.record(check_job(observed.job, moves_for, open_tasks))
 
 
-def _job_record(job: Job) -> Record:
+def _job_record(job: Job, open_tasks: WatchedTasks | None = None) -> Record:
     from rapidsim.jobs.checking.check_files import check_job
 
-    watched = _ObservedJob(job)
-    return watched.record(check_job(watched.job))
+    observed = _ObservedJob(job)
+    return observed.record(check_job(observed.job, open_tasks=open_tasks))
 
 
 def _task_record(job: Job, task: TaskFiles) -> Record:
     from rapidsim.jobs.checking.check_files import moves_of_task
 
-    watched = _ObservedJob(job)
-    return watched.record(moves_of_task(watched.job, task))
+    observed = _ObservedJob(job)
+    return observed.record(moves_of_task(observed.job, task))
 
 
 class _ObservedJob:

@@ -27,6 +27,7 @@ from rapidsim.jobs.checking.error_free_subset import ErrorFreeSubset, error_free
 from rapidsim.jobs.checking.misspelt_signals import misspelt_in
 from rapidsim.jobs.checking.move_checks import CheckMoves, choose_move_check
 from rapidsim.jobs.checking.undriven_inputs import find_never_driven, unreported_waits
+from rapidsim.jobs.checking.watched_tasks import WatchedTasks
 from rapidsim.jobs.inputs.api_options import api_request
 from rapidsim.jobs.inputs.job import Job, job
 from rapidsim.jobs.inputs.selection import Selection, choose_selection
@@ -36,6 +37,7 @@ from rapidsim.reach.checked_moves import MOST_MOVES, Coverage, ReachReport, Unch
 from rapidsim.reach.dataflow.written_moves import RunNotFollowedError, written_moves
 from rapidsim.station.tasks import DEFAULT_TASK
 from rapidsim.syntax.garbage_collection import gc_rarely
+from rapidsim.syntax.parser import may_have_runs
 
 if TYPE_CHECKING:
     from rapidsim.motion.robot.robot import Robot
@@ -84,16 +86,29 @@ def check(
 
 
 @gc_rarely()
-def check_job(job: Job, moves_for: Callable[[Job], TaskMoves] | None = None) -> CheckResult:
+def check_job(
+    job: Job,
+    moves_for: Callable[[Job], TaskMoves] | None = None,
+    open_tasks: WatchedTasks | None = None,
+) -> CheckResult:
     """Check a job with the requested rules and those of the settings.
 
     Args:
         job: The job.
         moves_for: Returns, for the job with its arm, what reports on the moves of each task.
+        open_tasks: The tasks as they were at the last check; None checks once.
     """
     station, selection = job.station, _selection(job)
     rules = detectors_of(selection.includes)
-    job, loaded = _with_arm(job, [_loaded(task, rules, job.cell) for task in job.tasks], rules)
+    if open_tasks is None or _has_bulk_moves(job):
+        tasks = [_loaded(task, rules, job.cell) for task in job.tasks]
+    else:
+        # Tasks are compared by their programs.
+        has_program = job.request.reach or len(job.tasks) > 1
+        tasks = [
+            open_tasks.load(task, rules, job.cell, has_program=has_program) for task in job.tasks
+        ]
+    job, loaded = _with_arm(job, tasks, rules)
     result = check_tasks(
         job.tasks,
         rules,
@@ -247,6 +262,11 @@ def _as_all_tasks(alone: Iterable[Diagnostic], of_all: Iterable[Diagnostic]) -> 
     kept = [one for one in alone if not is_of_runs(one)]
     told = {(one.code, one.order) for one in kept}
     return [*kept, *(one for one in of_all if (one.code, one.order) not in told)]
+
+
+def _has_bulk_moves(job: Job) -> bool:
+    """Whether a file is so long that its moves may be excluded from the tree."""
+    return any(may_have_runs(file.text, MOST_MOVES) for file in job.files)
 
 
 def _loaded(task: TaskFiles, rules: Sequence[Find], cell: CellNames) -> LoadedProgram:

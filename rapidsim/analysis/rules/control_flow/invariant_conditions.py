@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from functools import cached_property
+from typing import TypeAlias
 
 from rapidsim.analysis.program import (
     CounterSymbol,
@@ -55,24 +56,34 @@ class UnchangingCondition(Violation, code="F418"):
 def find_unchanging_conditions(facts: Facts) -> Iterator[Diagnostic]:
     """Report loops that cannot end once entered, and waits that cannot end once begun."""
     task = _Task(facts)
-    for part in facts.routine_parts:
-        if part.routine is None or part.routine.error is not None:
-            # The ERROR clause may be the exit of the loop.
-            continue
-        for loop in facts.of_part(_lasting_loops, part):
+    for part, (loops, waits) in facts.in_parts(_lasting):
+        for loop in loops:
             inside = list(part.inside(loop.body, *CHANGES))
             works = may_move(inside, facts)
             data = task.unchanging(loop.condition, [loop.condition, *inside], works=works)
             if data is not None:
                 keyword = tree.Node(loop.start, loop.condition.end)
                 yield part.finding(UnchangingCondition("this loop", data), keyword)
-        for call, condition in facts.of_part(_lasting_waits, part):
+        for call, condition in waits:
             data = task.unchanging(condition, [condition])
             if data is not None:
                 yield part.finding(UnchangingCondition(call.name.text, data), condition)
 
 
-def _lasting_loops(part: ProgramPart, facts: Facts) -> list[tree.While]:
+_Loops: TypeAlias = "list[tree.While]"
+_Waits: TypeAlias = "list[tuple[tree.Call, tree.Expression]]"
+
+
+def _lasting(part: ProgramPart, facts: Facts) -> tuple[_Loops, _Waits] | None:
+    """Loops and waits of a routine that only their condition can end; None without one."""
+    if part.routine is None or part.routine.error is not None:
+        # The ERROR clause may be the exit of the loop.
+        return None
+    found = _lasting_loops(part, facts), _lasting_waits(part, facts)
+    return found if any(found) else None
+
+
+def _lasting_loops(part: ProgramPart, facts: Facts) -> _Loops:
     """Loops that only their condition can end."""
     return [
         loop
@@ -81,7 +92,7 @@ def _lasting_loops(part: ProgramPart, facts: Facts) -> list[tree.While]:
     ]
 
 
-def _lasting_waits(part: ProgramPart, facts: Facts) -> list[tuple[tree.Call, tree.Expression]]:
+def _lasting_waits(part: ProgramPart, facts: Facts) -> _Waits:
     """Waits without a time limit, with their conditions."""
     waits = [(call, _awaited(call, facts)) for call in part.all(tree.Call)]
     return [(call, condition) for call, condition in waits if condition is not None]
@@ -106,23 +117,22 @@ class _Task:
     def _changing(self) -> Mapping[Symbol, int]:
         """Bits of the routines that change each datum."""
         found: dict[Symbol, int] = {}
-        for part, bit in self.facts.bit_of.items():
-            for symbol in changed_in(part, self.facts):
-                found[symbol] = found.get(symbol, 0) | bit
+        for part, changed in self.facts.in_parts(changed_in):
+            for symbol in changed:
+                found[symbol] = found.get(symbol, 0) | self.facts.bit_of[part]
         return found
 
     @cached_property
     def _leading_away(self) -> int:
         """Bits of the routines that call unknown code."""
-        facts = self.facts
-        return mask_of(lambda part: facts.of_part(_has_unknown_calls, part), facts)
+        return mask_of(_has_unknown_calls, self.facts)
 
     @cached_property
     def _is_open(self) -> bool:
         """Whether data may be changed by name, or by modules that are not available."""
         if not self.facts.is_read or self.facts.analysis.loads_modules:
             return True
-        return any(self.facts.of_part(_writes_by_name, part) for part in self.facts.parts)
+        return bool(self.facts.in_parts(_writes_by_name))
 
     def unchanging(
         self, condition: tree.Expression, meanwhile: Iterable[tree.Node], *, works: bool = False

@@ -7,7 +7,11 @@ from collections.abc import Iterator, Sequence
 
 from rapidsim.analysis.program_parts import Facts, ProgramPart
 from rapidsim.analysis.rules.facts.instruction_questions import as_move
-from rapidsim.analysis.rules.facts.modes_in_force import routines_with, unrestored_modes
+from rapidsim.analysis.rules.facts.modes_in_force import (
+    routines_with,
+    settings_of,
+    unrestored_modes,
+)
 from rapidsim.analysis.rules.facts.reached_routines import may_move, reached
 from rapidsim.analysis.tree_walk import descendants
 from rapidsim.diagnostics import Diagnostic, Severity, Violation
@@ -52,7 +56,7 @@ def find_mode_leaks(facts: Facts) -> Iterator[Diagnostic]:
     """Report, for each routine and mode, the first exit at which the mode may still be set."""
     beginning: set[tree.Routine] | None = None
     kept: dict[str, bool] = {}
-    for part in facts.routine_parts:
+    for part, _ in facts.in_parts(settings_of):
         routine = part.routine
         if not isinstance(routine, tree.Proc | tree.Func):
             continue
@@ -96,8 +100,8 @@ def _beginning(facts: Facts) -> set[tree.Routine]:
         return set()
     found: set[tree.Routine] = {entry.routine}
     callers = Counter[tree.Routine]()
-    for part in facts.routine_parts:
-        callers.update(facts.of_part(_called, part))
+    for _, called in facts.in_parts(_called):
+        callers.update(called)
     first: list[tree.Node] = []
     for statement in entry.routine.body:
         if isinstance(statement, tree.While | tree.For) or as_move(statement, facts) is not None:

@@ -21,10 +21,10 @@ class OpenedInLoop(Violation, code="F421"):
 
 def find_opened_in_loops(facts: Facts) -> Iterator[Diagnostic]:
     """Report files that each iteration of a loop opens, if nothing in the loop may close them."""
-    closing = mask_of(lambda part: facts.of_part(_has_closing, part), facts)
-    for part in facts.routine_parts:
-        bodies = [loop.body for loop in part.all(tree.For)]
-        bodies += [loop.body for loop in part.all(tree.While)]
+    if not facts.in_parts(_has_opening):
+        return
+    closing = mask_of(_has_closing, facts)
+    for part, bodies in facts.in_parts(_loop_bodies):
         for body in bodies:
             opened = next(_opened(body, facts), None)
             if opened is None or any(_leaves(node, facts) for node in descendants(*body)):
@@ -32,6 +32,16 @@ def find_opened_in_loops(facts: Facts) -> Iterator[Diagnostic]:
             if closing & reached(descendants(*body), facts) or _closes(descendants(*body), facts):
                 continue
             yield part.finding(OpenedInLoop(opened.name.text), opened)
+
+
+def _loop_bodies(part: ProgramPart, facts: Facts) -> list[tree.Body]:
+    del facts
+    bodies = [loop.body for loop in part.all(tree.For)]
+    return bodies + [loop.body for loop in part.all(tree.While)]
+
+
+def _has_opening(part: ProgramPart, facts: Facts) -> bool:
+    return any(Trait.OPEN in facts.does(call) for call in part.all(tree.Call))
 
 
 def _has_closing(part: ProgramPart, facts: Facts) -> bool:

@@ -41,7 +41,7 @@ def find_never_connected(facts: Facts) -> Iterator[Diagnostic]:
     """Report interrupts that are ordered but never connected to a trap in the task."""
     if facts.analysis.loads_modules or not facts.is_read:
         return
-    uses = [(part, facts.of_part(_interrupts_of, part)) for part in facts.routine_parts]
+    uses = facts.in_parts(_interrupts_of)
     connected = {symbol: None for _, one in uses for symbol in one.connected}
     for part, one in uses:
         for call, value, symbol in one.orders:
@@ -60,7 +60,7 @@ class _InterruptUses:
     orders: tuple[tuple[tree.Call, tree.Expression, Symbol], ...]
 
 
-def _interrupts_of(part: ProgramPart, facts: Facts) -> _InterruptUses:
+def _interrupts_of(part: ProgramPart, facts: Facts) -> _InterruptUses | None:
     kinds = (tree.Connect, tree.Assignment, tree.LateCall)
     connecting: list[tree.Node] = [node for kind in kinds for node in part.all(kind)]
     orders: list[tuple[tree.Call, tree.Expression, Symbol]] = []
@@ -78,8 +78,8 @@ def _interrupts_of(part: ProgramPart, facts: Facts) -> _InterruptUses:
             symbol = facts.symbol(root_of(value)) if isinstance(value, tree.DataPath) else None
             if isinstance(symbol, DataSymbol) and symbol.storage is Storage.VAR:
                 orders.append((call, value, symbol))
-    connected = (symbol for symbol in changed_by(connecting, facts) if symbol is not None)
-    return _InterruptUses(tuple(dict.fromkeys(connected)), tuple(orders))
+    connected = dict.fromkeys(one for one in changed_by(connecting, facts) if one is not None)
+    return _InterruptUses(tuple(connected), tuple(orders)) if connected or orders else None
 
 
 def find_trap_hazards(facts: Facts) -> Iterator[Diagnostic]:

@@ -5,7 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from rapidsim.analysis.program_parts import Facts, ProgramPart
-from rapidsim.analysis.rules.facts.modes_in_force import UnrestoredMode, unrestored_modes
+from rapidsim.analysis.rules.facts.modes_in_force import (
+    UnrestoredMode,
+    settings_of,
+    unrestored_modes,
+)
 from rapidsim.diagnostics import Diagnostic, Violation
 from rapidsim.library.traits import Trait
 from rapidsim.syntax import tree
@@ -23,7 +27,7 @@ class RobotLeftStopped(Violation, code="F420"):
 
 def find_interrupts_left_off(facts: Facts) -> Iterator[Diagnostic]:
     """Report exits of a routine at which interrupts stay disabled."""
-    for part in facts.routine_parts:
+    for part, _ in facts.in_parts(settings_of):
         for left in _unreleased_in(part, facts, Trait.HOLD_INTERRUPTS):
             assert part.routine is not None
             violation = InterruptsLeftOff(part.routine.name.text, left.ends)
@@ -32,7 +36,7 @@ def find_interrupts_left_off(facts: Facts) -> Iterator[Diagnostic]:
 
 def find_robot_left_stopped(facts: Facts) -> Iterator[Diagnostic]:
     """Report exits of a trap at which the robot stays stopped."""
-    for part in facts.routine_parts:
+    for part, _ in facts.in_parts(settings_of):
         if isinstance(part.routine, tree.Trap):
             for left in _unreleased_in(part, facts, Trait.HOLD_ROBOT):
                 violation = RobotLeftStopped(part.routine.name.text, left.ends)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator
 
 from rapidsim.analysis.parameters import Formal
 from rapidsim.analysis.program import Symbol
@@ -20,12 +20,8 @@ CHANGES = (tree.Assignment, tree.Connect, tree.Call, tree.FunctionCall, tree.Lat
 _PATHS = (tree.DataReference, tree.Index, tree.ComponentAccess)
 
 
-def changed_in(part: ProgramPart, facts: Facts) -> Sequence[Symbol]:
+def changed_in(part: ProgramPart, facts: Facts) -> tuple[Symbol, ...]:
     """Data that a routine changes itself, or passes to calls that may change them, each once."""
-    return facts.of_part(_changed_in, part)
-
-
-def _changed_in(part: ProgramPart, facts: Facts) -> tuple[Symbol, ...]:
     kinds = (tree.Assignment, tree.Connect, tree.LateCall)
     nodes = [*(node for kind in kinds for node in part.all(kind)), *part.calls]
     return tuple(dict.fromkeys(one for one in changed_by(nodes, facts) if one is not None))

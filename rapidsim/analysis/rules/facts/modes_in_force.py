@@ -13,7 +13,6 @@ from rapidsim.analysis.flow.graph import ENTRY, EXIT
 from rapidsim.analysis.flow.solve import after_steps, forward
 from rapidsim.analysis.program_parts import Facts, ProgramPart
 from rapidsim.analysis.rules.facts.known_values import known_value
-from rapidsim.analysis.rules.facts.reached_routines import mask_of
 from rapidsim.library.table import LibraryRoutine
 from rapidsim.syntax import tree
 from rapidsim.values import value_class
@@ -56,7 +55,7 @@ def unrestored_modes(
         facts: The task.
         matters: Selects instructions; calls that restore their modes are included.
     """
-    settings = facts.of_part(_settings, part)
+    settings = facts.of_part(settings_of, part)
     modes = {
         setting.mode
         for call, setting in settings.items()
@@ -128,10 +127,12 @@ def _exit_at(part: ProgramPart, by: tree.Node | None, open_modes: _Open) -> _Rou
 def routines_with(mode: str, facts: Facts, *, back: bool) -> int:
     """Bits of the routines with a call that sets a mode, or restores it."""
     setting = _Setting(mode, back)
-    return mask_of(lambda part: setting in facts.of_part(_settings, part).values(), facts)
+    return facts.bits_of(
+        part for part, found in facts.in_parts(settings_of) if setting in found.values()
+    )
 
 
-def _settings(part: ProgramPart, facts: Facts) -> Mapping[tree.Call, _Setting]:
+def settings_of(part: ProgramPart, facts: Facts) -> Mapping[tree.Call, _Setting]:
     """Calls of a part that set or restore a mode."""
     found = ((call, _setting(call, facts)) for call in part.all(tree.Call))
     return {call: setting for call, setting in found if setting is not None}

@@ -35,10 +35,6 @@ def may_leave(body: tree.Body, part: ProgramPart, facts: Facts) -> bool:
     )
 
 
-def mask_of(holds: Callable[[ProgramPart], bool], facts: Facts) -> int:
-    """Return the bits of the routines that satisfy a predicate."""
-    bits = 0
-    for part, bit in facts.bit_of.items():
-        if holds(part):
-            bits |= bit
-    return bits
+def mask_of(function: Callable[[ProgramPart, Facts], object], facts: Facts) -> int:
+    """Return the bits of the routines for which a function of one part has a result."""
+    return facts.bits_of(part for part, _ in facts.in_parts(function))

@@ -18,7 +18,7 @@ from typing import TypeAlias
 
 from rapidsim.analysis.flow.graph import ENDED, ENTRY, EXIT, NORMAL, RAISED, FlowEdge
 from rapidsim.analysis.flow.solve import backward
-from rapidsim.analysis.flow.summaries import summarise
+from rapidsim.analysis.flow.summaries import resummarise, summarise
 from rapidsim.analysis.program_parts import Facts, ProgramPart
 from rapidsim.analysis.rules.facts.instruction_questions import MoveCall, arguments_of, as_move
 from rapidsim.analysis.rules.facts.known_values import known_value
@@ -98,18 +98,29 @@ class _Outcome:
     """Summaries of the callees, each with whether it can return."""
     summary: _Summary
     effects: Sequence[EffectAfterMove]
-    findings: dict[EffectAfterMove, Diagnostic] = field(default_factory=dict)
-    """The findings of these effects, as far as they were composed."""
+    findings: list[Diagnostic] = field(default_factory=list)
+    """The findings of these effects, if there are any and they were composed."""
+
+
+@value_class(frozen=True, slots=True, eq=False)
+class _Summaries:
+    """The summaries of routines as long as the call graph stays."""
+
+    flying: int
+    """The bits of the routines with fly-by moves."""
+    relevant: int
+    """The bits of the routines with a summary."""
+    parts: Sequence[ProgramPart]
+    by_part: dict[ProgramPart, _Summary]
 
 
 def effects_behind_moves(
     facts: Facts,
-) -> Iterator[tuple[EffectAfterMove, ProgramPart, dict[EffectAfterMove, Diagnostic]]]:
+) -> Iterator[tuple[Sequence[EffectAfterMove], list[Diagnostic]]]:
     """Yield the effects that certainly follow a fly-by move, and every output set after one.
 
-    Each comes with the routine of the move, and with the cache of its findings.
+    Those in one routine come together, with the list for their findings.
     """
-    found: dict[ProgramPart, _Outcome] = {}
 
     def summary_of(part: ProgramPart, known: Mapping[ProgramPart, _Summary]) -> _Summary:
         callees = tuple(
@@ -122,30 +133,42 @@ def effects_behind_moves(
             analysis = _RoutineAnalysis(part, facts, known)
             effects = analysis.effects_after_moves()
             outcome = part.memo[_Outcome] = _Outcome(callees, analysis.summary(), effects)
-        found[part] = outcome
         return outcome.summary
 
-    parts = _relevant_parts(facts)
-    relevant = set(parts)
-    order = [one for one in facts.components if one[0] in relevant]
-    summarise(parts, facts.call_graph.__getitem__, _Summary(), summary_of, order)
-    home_of = {move: part for part in parts for move in facts.of_part(_fly_by_moves, part)}
-    for part in parts:
-        for effect in found[part].effects:
-            yield effect, home_of[effect.move], found[part].findings
+    flying = mask_of(_fly_by_moves, facts)
+    known: _Summaries | None = facts.calls_memo.get(_Summaries)
+    if known is not None and known.flying == flying and not known.relevant & facts.recursive:
+        changed = [part for part in known.parts if _Outcome not in part.memo]
+        callers = facts.callers.__getitem__
+        resummarise(known.by_part, changed, facts.component_of, callers, summary_of)
+    else:
+        relevant = _relevant(flying, facts)
+        parts = [part for part, bit in facts.bit_of.items() if bit & relevant]
+        order = [one for one in facts.components if facts.bit_of[one[0]] & relevant]
+        callees = facts.call_graph.__getitem__
+        found = summarise(parts, callees, _Summary(), summary_of, order)
+        known = facts.calls_memo[_Summaries] = _Summaries(flying, relevant, parts, found)
+    for part in known.parts:
+        outcome = part.memo[_Outcome]
+        if outcome.effects:
+            yield outcome.effects, outcome.findings
+
+
+def homes_of_moves(facts: Facts) -> dict[tree.Call, ProgramPart]:
+    """The routine of each fly-by move."""
+    return {move: part for part, moves in facts.in_parts(_fly_by_moves) for move in moves}
 
 
 def _fly_by_moves(part: ProgramPart, facts: Facts) -> list[tree.Call]:
     return [call for call in part.all(tree.Call) if _is_fly_by(call, facts)]
 
 
-def _relevant_parts(facts: Facts) -> list[ProgramPart]:
-    """The routines with fly-by moves, their callers, and all callees of those."""
-    flying = mask_of(lambda part: bool(facts.of_part(_fly_by_moves, part)), facts)
+def _relevant(flying: int, facts: Facts) -> int:
+    """The bits of the routines with fly-by moves, their callers, and all callees of those."""
     relevant = 0
     for reached in facts.reached_from.values():
         relevant |= reached if reached & flying else 0
-    return [part for part in facts.routine_parts if facts.bit_of[part] & relevant]
+    return relevant
 
 
 class _RoutineAnalysis:

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections import Counter
 from collections.abc import Iterator, Sequence
+from typing import TypeAlias
 
 from rapidsim.analysis.program_parts import Facts, ProgramPart
 from rapidsim.analysis.rules.facts.known_values import Value, known_value, numbers
@@ -50,30 +50,44 @@ class _Target:
     value: tuple[Value, ...]
 
 
+_AxisUses: TypeAlias = "dict[tuple[int, bool], list[_Target]]"
+
+
 def find_external_axes(facts: Facts) -> Iterator[Diagnostic]:
     """Report targets of a module whose use of an external axis differs from most others."""
-    by_module: dict[tree.Module, list[tuple[_Target, tuple[float, ...]]]] = {}
-    for target in _targets(facts):
-        axes = numbers(target.value[_EXTERNAL], 6)
-        if axes is not None:
-            by_module.setdefault(target.part.module, []).append((target, axes))
-    for rows in by_module.values():
+    by_module: dict[tree.Module, list[_AxisUses]] = {}
+    for part, uses in facts.in_parts(_axis_uses):
+        by_module.setdefault(part.module, []).append(uses)
+    for of_parts in by_module.values():
         for k, letter in enumerate("abcdef"):
-            # Zero may be a position on a track or undefined, so it never counts.
-            telling = [
-                (target, axes[k] >= _UNUSED) for target, axes in rows if axes[k] not in _ALSO_UNUSED
-            ]
-            counts = Counter(is_unused for _, is_unused in telling)
-            if len(counts) < 2 or counts[True] == counts[False]:
+            unused, used = (
+                [target for uses in of_parts for target in uses.get((k, is_unused), ())]
+                for is_unused in (True, False)
+            )
+            if not unused or not used or len(unused) == len(used):
                 continue
-            usual = counts[True] > counts[False]
-            others = f"{counts[usual]} others" if counts[usual] > 1 else "the other"
-            for target, is_unused in telling:
-                if is_unused is not usual:
-                    here = ("9E9", "a position") if is_unused else ("a position", "9E9")
-                    words = target.node.name.text, here[0], letter, others, f"give {here[1]}"
-                    place = part_span(target.part.module, _value(target.node), (_EXTERNAL, k))
-                    yield target.part.finding_at(ExternalAxisValue(*words), place)
+            usual = len(unused) > len(used)
+            count = max(len(unused), len(used))
+            others = f"{count} others" if count > 1 else "the other"
+            for target in used if usual else unused:
+                here = ("a position", "9E9") if usual else ("9E9", "a position")
+                words = target.node.name.text, here[0], letter, others, f"give {here[1]}"
+                place = part_span(target.part.module, _value(target.node), (_EXTERNAL, k))
+                yield target.part.finding_at(ExternalAxisValue(*words), place)
+
+
+def _axis_uses(part: ProgramPart, facts: Facts) -> _AxisUses:
+    """Targets by number of an external axis, and whether they do not use it.
+
+    Zero may be a position on a track or undefined, so it never counts.
+    """
+    found: _AxisUses = {}
+    for target in facts.of_part(_targets_of, part):
+        axes = numbers(target.value[_EXTERNAL], 6)
+        for k, value in enumerate(axes or ()):
+            if value not in _ALSO_UNUSED:
+                found.setdefault((k, value >= _UNUSED), []).append(target)
+    return found
 
 
 def declares_axes_alike_targets(node: tree.Data, usual: Sequence[float]) -> bool:

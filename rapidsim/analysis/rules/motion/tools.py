@@ -47,10 +47,17 @@ class _Use:
 
 def find_mixed_frames(facts: Facts) -> Iterator[Diagnostic]:
     """Report moves to a target whose tool or work object differs from its first move."""
+    first: dict[Symbol, _Use] = {}
     uses: dict[Symbol, list[_Use]] = {}
-    for part in facts.routine_parts:
-        for symbol, use in facts.of_part(_uses_of_targets, part):
-            uses.setdefault(symbol, []).append(use)
+    for _, found in facts.in_parts(_uses_of_targets):
+        for symbol, use in found:
+            other = first.setdefault(symbol, use)
+            if use.tool != other.tool or use.wobj != other.wobj:
+                uses[symbol] = []
+    for _, found in facts.in_parts(_uses_of_targets) if uses else ():
+        for symbol, use in found:
+            if symbol in uses:
+                uses[symbol].append(use)
     for symbol, moved in uses.items():
         usual = next((use for use in moved if use.tool != "tool0"), moved[0])
         for use in moved:

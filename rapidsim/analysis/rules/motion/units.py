@@ -61,18 +61,16 @@ class MetresOrRadians(Violation, code="M516"):
 def find_metres(facts: Facts) -> Iterator[Diagnostic]:
     """Report targets at the base of the arm, and tools shorter than a millimetre."""
     reported: set[object] = set()
-    for part in facts.routine_parts:
-        whole = facts.of_part(_of_whole_routine, part)
-        if whole is not None:
-            yield whole
-            continue
-        for symbol, finding in facts.of_part(_at_foot, part):
+    whole = dict(facts.in_parts(_of_whole_routine))
+    yield from whole.values()
+    for part, found in facts.in_parts(_at_foot):
+        for symbol, finding in () if part in whole else found:
             if symbol not in reported:
                 yield finding
             if symbol is not None:
                 reported.add(symbol)
-    for part in facts.parts:
-        yield from facts.of_part(_short_tools, part)
+    for _, tools in facts.in_parts(_short_tools):
+        yield from tools
 
 
 def _short_tools(part: ProgramPart, facts: Facts) -> list[Diagnostic]:
@@ -113,9 +111,9 @@ def _at_foot(part: ProgramPart, facts: Facts) -> list[tuple[Symbol | None, Diagn
 
 def find_slow_speeds(facts: Facts) -> Iterator[Diagnostic]:
     """Report speeds of the TCP below 1 mm/s, except for searches, where they are intended."""
-    searching = {node for part in facts.parts for node in facts.of_part(_speeds_of_searches, part)}
-    for part in facts.parts:
-        for node, finding in facts.of_part(_slow_speeds, part):
+    searching = {node for _, speeds in facts.in_parts(_speeds_of_searches) for node in speeds}
+    for _, slow in facts.in_parts(_slow_speeds):
+        for node, finding in slow:
             if node not in searching:
                 yield finding
 

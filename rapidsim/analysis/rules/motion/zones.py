@@ -2,11 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping, Sequence
 
 from rapidsim.analysis.program_parts import Facts, ProgramPart
 from rapidsim.analysis.rules.facts.instruction_questions import MoveCall, as_move
-from rapidsim.analysis.rules.motion.fly_by_effects import EffectAfterMove, effects_behind_moves
+from rapidsim.analysis.rules.motion.fly_by_effects import (
+    EffectAfterMove,
+    effects_behind_moves,
+    homes_of_moves,
+)
 from rapidsim.diagnostics import Diagnostic, Edit, Fix, Related, Violation
 from rapidsim.syntax import tree
 
@@ -25,19 +29,28 @@ class OutputInZone(Violation, code="M503"):
 
 def find_behind_zones(facts: Facts) -> Iterator[Diagnostic]:
     """Report waits and outputs after fly-by moves: each move and each output once."""
+    homes: dict[tree.Call, ProgramPart] = {}
+    for effects, findings in effects_behind_moves(facts):
+        if not findings:
+            homes = homes or homes_of_moves(facts)
+            findings += _of_routine(effects, homes, facts)
+        yield from findings
+
+
+def _of_routine(
+    effects: Sequence[EffectAfterMove], homes: Mapping[tree.Call, ProgramPart], facts: Facts
+) -> Iterator[Diagnostic]:
+    """Report the effects in one routine, which alone contains the places of their mistakes."""
     reported: set[tree.Node] = set()
-    for one, home, known in effects_behind_moves(facts):
+    for one in effects:
+        home = homes[one.move]
         mistake = one.move if one.effect.waits and home is one.part else one.place
         if mistake in reported:
             continue
         reported.add(mistake)
-        finding = known.get(one)
-        if finding is None:
-            move = as_move(one.move, facts)
-            assert move is not None
-            finding = (_waits if one.effect.waits else _acts)(one, move, home)
-            known[one] = finding
-        yield finding
+        move = as_move(one.move, facts)
+        assert move is not None
+        yield (_waits if one.effect.waits else _acts)(one, move, home)
 
 
 def _waits(effect: EffectAfterMove, move: MoveCall, home: ProgramPart) -> Diagnostic:

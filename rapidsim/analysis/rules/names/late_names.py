@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 from rapidsim.analysis.installed import installed_symbol
 from rapidsim.analysis.program_parts import Facts, ProgramPart
@@ -25,8 +25,8 @@ def find_late_names(facts: Facts) -> Iterator[Diagnostic]:
     procedures = [
         part.routine.name.key for part in facts.routine_parts if isinstance(part.routine, tree.Proc)
     ]
-    for part in facts.parts:
-        for call in part.all(tree.LateCall):
+    for part, calls in facts.in_parts(_late_calls):
+        for call in calls:
             pieces = _pieces(call.routine, facts)
             if not any(piece for piece in pieces if piece is not None):
                 continue
@@ -41,7 +41,12 @@ def find_late_names(facts: Facts) -> Iterator[Diagnostic]:
 
 def late_patterns(facts: Facts) -> list[re.Pattern[str]]:
     """Patterns of the possible names in calls by name, one per call."""
-    return [pattern for part in facts.parts for pattern in facts.of_part(_patterns, part)]
+    return [pattern for _, patterns in facts.in_parts(_patterns) for pattern in patterns]
+
+
+def _late_calls(part: ProgramPart, facts: Facts) -> Sequence[tree.LateCall]:
+    del facts
+    return part.all(tree.LateCall)
 
 
 def _patterns(part: ProgramPart, facts: Facts) -> list[re.Pattern[str]]:

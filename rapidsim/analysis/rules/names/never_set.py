@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from rapidsim.analysis.program import DataSymbol, Storage, Symbol
+from rapidsim.analysis.program import DataSymbol, Scope, Storage, Symbol
 from rapidsim.analysis.program_parts import Facts, ProgramPart
 from rapidsim.analysis.rules.facts.changed_data import changed_in
 from rapidsim.diagnostics import Diagnostic, Violation
@@ -25,9 +25,9 @@ def find_never_set(facts: Facts) -> Iterator[Diagnostic]:
     """Report the first use of each number, string or record variable that nothing sets."""
     if not facts.is_read:
         return
-    done = set[Symbol]().union(*(changed_in(part, facts) for part in facts.parts))
-    for part in facts.parts:
-        for symbol, finding in facts.of_part(_first_uses, part):
+    done = set[Symbol]().union(*(changed for _, changed in facts.in_parts(changed_in)))
+    for _, uses in facts.in_parts(_first_uses):
+        for symbol, finding in uses:
             if symbol in done:
                 continue
             if symbol.name.lower() in facts.strings or not _all_is_seen(symbol, facts):
@@ -78,5 +78,5 @@ def _clears(symbol: DataSymbol) -> bool:
 def _all_is_seen(symbol: DataSymbol, facts: Facts) -> bool:
     """Whether all code that could set the data is available."""
     assert symbol.node is not None
-    is_outside = symbol.module is not None and symbol.node in symbol.module.items
+    is_outside = symbol.module is not None and symbol.scope is not Scope.ROUTINE
     return not is_outside or symbol.node.scope == "LOCAL" or facts.is_whole

@@ -20,10 +20,7 @@ class AbsentOptionalUsed(Violation, code="T310"):
 def find_absent_optionals(facts: Facts) -> Iterator[Diagnostic]:
     """Report the first use of each optional parameter whose presence is never checked."""
     calls: dict[tree.Routine, list[_Caller]] | None = None
-    for part in facts.routine_parts:
-        optionals = _optionals(part)
-        if not optionals:
-            continue
+    for part, optionals in facts.in_parts(_optionals):
         asked = _tested_present(part.all(tree.FunctionCall), facts)
         guarded = _guarded(part, facts)
         reported: set[str] = set()
@@ -46,8 +43,9 @@ def find_absent_optionals(facts: Facts) -> Iterator[Diagnostic]:
                 yield part.finding(AbsentOptionalUsed(node.name.text), node, place)
 
 
-def _optionals(part: ProgramPart) -> dict[str, frozenset[str]]:
+def _optionals(part: ProgramPart, facts: Facts) -> dict[str, frozenset[str]]:
     """Optional parameters other than switches, each with all names of its group."""
+    del facts
     return {
         parameter.name.key: names
         for group in part.all(tree.OptionalGroup)

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from rapidsim.analysis.installed import installed_symbol
 from rapidsim.analysis.program import DataSymbol, LibrarySymbol
-from rapidsim.analysis.program_parts import Facts
+from rapidsim.analysis.program_parts import Facts, ProgramPart
 from rapidsim.diagnostics import Diagnostic, Related, Violation
 from rapidsim.library.named_numbers import OF_OPTIONS
 from rapidsim.syntax import tree
@@ -32,15 +32,16 @@ class RedefinedBuiltin(Violation, code="N206"):
 def find_shadowed(facts: Facts) -> Iterator[Diagnostic]:
     """Report local or LOCAL data that hide data of an outer scope."""
     outside: dict[str, list[tuple[tree.Module, tree.Data]]] = {}
-    for part in facts.parts:
+    declared = facts.in_parts(_data_by_name)
+    for part, nodes in declared:
         if part.routine is None:
-            for node in part.all(tree.Data):
-                outside.setdefault(node.name.key, []).append((part.module, node))
-    for part in facts.parts:
-        for node in part.all(tree.Data):
+            for key, node in nodes:
+                outside.setdefault(key, []).append((part.module, node))
+    for part, nodes in declared:
+        for key, node in nodes:
             if part.routine is None and node.scope != "LOCAL":
                 continue
-            for module, hidden in outside.get(node.name.key, ()):
+            for module, hidden in outside.get(key, ()):
                 here = module is part.module
                 if hidden is node or (hidden.scope == "LOCAL" and not here):
                     continue
@@ -51,6 +52,12 @@ def find_shadowed(facts: Facts) -> Iterator[Diagnostic]:
                 violation = ShadowedName(node.name.text, hidden.type.text, where)
                 yield part.finding(violation, node.name, place)
                 break
+
+
+def _data_by_name(part: ProgramPart, facts: Facts) -> list[tuple[str, tree.Data]]:
+    """Declarations of data with their folded names."""
+    del facts
+    return [(node.name.key, node) for node in part.all(tree.Data)]
 
 
 def find_redefined(facts: Facts) -> Iterator[Diagnostic]:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections import Counter
 from collections.abc import Iterator, Set
 
 from rapidsim.analysis.program_parts import ENTRY, Facts, ProgramPart
@@ -30,36 +29,36 @@ class UnusedRoutine(Violation, code="N205"):
 
 def find_unused_data(facts: Facts) -> Iterator[Diagnostic]:
     """Report data that nothing uses in the text where they are visible."""
-    by_name = any(facts.of_part(_accesses_by_name, part) for part in facts.parts)
-    names_in: dict[tree.Module, set[str]] = {}
-    for part in facts.parts:
-        names_in.setdefault(part.module, set()).update(part.names)
-    for part in facts.parts:
-        for node in part.all(tree.Data):
-            used: Set[str]
-            if part.routine is not None:
-                used = part.names
-            elif by_name or part.module.name.key in _PREDEFINED_HOMES:
-                continue
-            elif node.scope == "LOCAL":
+    by_name = bool(facts.in_parts(_accesses_by_name))
+    names_in: dict[tree.Module, Set[str]] = {}
+    for part, declared in facts.in_parts(_seemingly_unused):
+        is_outside = part.routine is None
+        if is_outside and (by_name or part.module.name.key in _PREDEFINED_HOMES):
+            continue
+        for key, node in declared:
+            used: Set[str] = frozenset()
+            if is_outside and node.scope == "LOCAL":
+                if part.module not in names_in:
+                    names_in[part.module] = _names_in(part.module, facts)
                 used = names_in[part.module]
-            elif facts.is_whole and (node.storage != "PERS" or node.scope == "TASK"):
+            elif is_outside:
+                if not facts.is_whole or (node.storage == "PERS" and node.scope != "TASK"):
+                    continue
                 used = facts.names
-            else:
-                continue
-            key = node.name.key
             if key in used or key in facts.strings or facts.analysis.may_be_unread(key):
                 continue
-            yield facts.of_part(_unused_data, part)[node]
+            yield part.finding(UnusedData(node.name.text, node.type.text), node.name)
 
 
-def _unused_data(part: ProgramPart, facts: Facts) -> dict[tree.Node, Diagnostic]:
-    """A finding for each declaration, to be reported if nothing uses it."""
+def _names_in(module: tree.Module, facts: Facts) -> set[str]:
+    return set().union(*(part.names for part in facts.parts if part.module is module))
+
+
+def _seemingly_unused(part: ProgramPart, facts: Facts) -> list[tuple[str, tree.Data]]:
+    """Data that the part itself does not use, by folded name."""
     del facts
-    return {
-        node: part.finding(UnusedData(node.name.text, node.type.text), node.name)
-        for node in part.all(tree.Data)
-    }
+    declared = ((node.name.key, node) for node in part.all(tree.Data))
+    return [(key, node) for key, node in declared if key not in part.names]
 
 
 def _accesses_by_name(part: ProgramPart, facts: Facts) -> bool:
@@ -69,30 +68,32 @@ def _accesses_by_name(part: ProgramPart, facts: Facts) -> bool:
 def find_unused_routines(facts: Facts) -> Iterator[Diagnostic]:
     """Report routines that nothing calls, connects, or could name in a string."""
     patterns = late_patterns(facts)
-    declared = {part.routine.name.key for part in facts.routine_parts if part.routine is not None}
-    used_elsewhere = Counter(name for part in facts.parts for name in part.names & declared)
-    for part in facts.routine_parts:
-        routine = part.routine
-        assert routine is not None
-        key = routine.name.key
-        if key == ENTRY or key in facts.strings or facts.analysis.may_be_unread(key):
+    for part, key in facts.in_parts(_to_be_used):
+        assert part.routine is not None
+        if part.routine.scope != "LOCAL" and not facts.is_whole:
             continue
-        own_call = key in part.names
-        if used_elsewhere[key] > own_call or any(p.fullmatch(key) for p in patterns):
+        if _is_used_elsewhere(key, part, facts) or key in facts.strings:
             continue
-        if routine.scope == "LOCAL" or (facts.is_whole and _needs_a_caller(part)):
-            yield facts.of_part(_unused_routine, part)
+        if facts.analysis.may_be_unread(key) or any(p.fullmatch(key) for p in patterns):
+            continue
+        yield part.finding(_unused(part.routine), part.routine.name)
 
 
-def _needs_a_caller(part: ProgramPart) -> bool:
-    return not isinstance(part.routine, tree.Proc) or bool(part.routine.parameters)
+def _is_used_elsewhere(key: str, home: ProgramPart, facts: Facts) -> bool:
+    """Whether another part than the home of a routine names it."""
+    if key not in home.names:
+        return key in facts.names
+    return any(key in part.names for part in facts.parts if part is not home)
 
 
-def _unused_routine(part: ProgramPart, facts: Facts) -> Diagnostic:
-    """The finding of a routine, to be reported if nothing uses it."""
+def _to_be_used(part: ProgramPart, facts: Facts) -> str | None:
+    """The folded name of a routine; None for one that needs no caller."""
     del facts
-    assert part.routine is not None
-    return part.finding(_unused(part.routine), part.routine.name)
+    routine = part.routine
+    if routine is None or routine.name.key == ENTRY:
+        return None
+    is_needed = not isinstance(routine, tree.Proc) or bool(routine.parameters)
+    return routine.name.key if routine.scope == "LOCAL" or is_needed else None
 
 
 def _unused(routine: tree.Routine) -> UnusedRoutine:
