@@ -27,7 +27,8 @@ from rapidsim.motion.kinematics.closed_form.opw_geometry import JOINT_COUNT, Opw
 from rapidsim.motion.kinematics.closed_form.palletizer import Palletizer, PalletizerGeometry
 from rapidsim.motion.kinematics.closed_form.scara import Scara, ScaraGeometry
 from rapidsim.motion.kinematics.numerical.revolute_chain import AxisRowGeometry, searched_arm
-from rapidsim.motion.robot.dynamics import Dynamics, Torques, prior
+from rapidsim.motion.robot.dynamics import Torques
+from rapidsim.motion.robot.scaled_torques import InertiaShape
 from rapidsim.motion.robot.structures import Geometry, geometry_from_table
 from rapidsim.shipped import shipped
 from rapidsim.values import value_class
@@ -46,6 +47,23 @@ class RobotError(InputError):
 
 
 @value_class(frozen=True, slots=True)
+class MeasuredConstants:
+    """Constants of the motion model that were measured on an arm."""
+
+    torques: Torques
+    filter_time: float
+    """Width [s] of the smoothing of the command."""
+    fine_dwell: float
+    """Time [s] at a stop point from the end of the command to the start of the next."""
+    wrist_is_lower_bound: bool
+    """Whether the wrist may accelerate more than was seen."""
+    factor: float
+    """Factor within which the torques are right."""
+    cycle_percent: float
+    """Percentage within which cycle times near these limits are right."""
+
+
+@value_class(frozen=True, slots=True)
 class CatalogueEntry:
     """Data of one arm."""
 
@@ -60,8 +78,10 @@ class CatalogueEntry:
     """[rad/s]; None where no source has it."""
     max_accelerations: tuple[float | None, ...]
     """[rad/s2], for version 1 of the motion model; None unless measured."""
-    torques: Torques | None
+    measured: MeasuredConstants | None
     """None unless measured."""
+    shape: InertiaShape | None
+    """InertiaShape of the inertia; None unless a drawing of the arm shows it."""
     payload_kg: float | None
     reach_m: float | None
     sources: tuple[str, ...]
@@ -202,21 +222,6 @@ def kinematics_of(entry: CatalogueEntry) -> Kinematics:
             return searched_arm(geometry, entry.limits)
 
 
-def dynamics_of(entry: CatalogueEntry) -> Dynamics | None:
-    """Torque limits of the main axes of an arm: measured, else scaled from measured ABB arms.
-
-    None if neither is known: for arms of other makers and kinds, and those without axis speeds.
-    """
-    if not isinstance(entry.geometry, OpwGeometry):
-        return None
-    if entry.torques is not None:
-        return Dynamics(entry.torques, entry.geometry)
-    speeds = tuple(speed for speed in entry.max_speeds if speed is not None)
-    if entry.maker != "ABB" or entry.reach_m is None or len(speeds) != JOINT_COUNT:
-        return None
-    return Dynamics(prior(entry.geometry, speeds, entry.reach_m), entry.geometry)
-
-
 def arm_from_geometry(geometry: OpwGeometry) -> OrthoParallel:
     """Return the arm with link frames that are parallel to the base with all joints at 0.
 
@@ -249,7 +254,8 @@ def _entry(table: Mapping[str, Any], folder: Path) -> CatalogueEntry:
         limits=tuple((radians(lower), radians(upper)) for lower, upper in map(_limits, joints)),
         max_speeds=_radians(joints, "max_speed_deg_s", "max_speed_mm_s"),
         max_accelerations=_radians(joints, "max_acceleration_deg_s2", "max_acceleration_mm_s2"),
-        torques=_torques(table["dynamics"]) if "dynamics" in table else None,
+        measured=_measured(table["dynamics"]) if "dynamics" in table else None,
+        shape=_shape(table["shape"]) if "shape" in table else None,
         payload_kg=table.get("payload_kg"),
         reach_m=table.get("reach_m"),
         sources=tuple(table["sources"]),
@@ -262,22 +268,38 @@ def _entry(table: Mapping[str, Any], folder: Path) -> CatalogueEntry:
     )
 
 
-def _torques(table: Mapping[str, Any]) -> Torques:
-    """Return the measured torques in the table [dynamics] of an arm."""
+def _measured(table: Mapping[str, Any]) -> MeasuredConstants:
+    """Return the constants in the table [dynamics] of a measured arm."""
     w4, w5, w6 = (radians(one) for one in table["wrist_deg_s2"])
-    return Torques(
+    torques = Torques(
         **{name: table[name] for name in ("i1", "rod", "point", "x", "z", "c", "d", "e", "kappa")},
         delta=radians(table["delta_deg"]),
         n33=table["n33"],
         wrist=(w4, w5, w6),
-        filter_time=table["filter_time_s"],
-        fine_dwell=table["fine_dwell_s"],
-        measured=True,
         wrist_in_zones=(
             (table["wrist_zone_share"], table["wrist_zone_cycles"])
             if "wrist_zone_share" in table
             else None
         ),
+    )
+    return MeasuredConstants(
+        torques,
+        filter_time=table["filter_time_s"],
+        fine_dwell=table["fine_dwell_s"],
+        wrist_is_lower_bound=table.get("wrist_is_lower_bound", False),
+        factor=table["factor"],
+        cycle_percent=table["cycle_percent"],
+    )
+
+
+def _shape(table: Mapping[str, Any]) -> InertiaShape:
+    """Return the shape in the table [shape] of an arm."""
+    return InertiaShape(
+        x=table["x"],
+        z=table["z"],
+        rod_of_point=table["rod_of_point"],
+        d_of_c=table["d_of_c"],
+        delta=radians(table["delta_deg"]),
     )
 
 

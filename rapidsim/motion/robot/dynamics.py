@@ -21,7 +21,6 @@ reproduces within 6 and 9 %; on logs of straight moves both torques stay on plat
 
 from __future__ import annotations
 
-from math import atan2
 from typing import NamedTuple
 
 import numpy as np
@@ -32,8 +31,6 @@ from rapidsim.values import value_class
 
 _POINT_OF_RATED_LOAD = 1.3
 """Effective mass of the forearm in units of the rated payload: 0.9 to 1.8. Assumed."""
-PRIOR_FACTOR = 1.5
-"""Factor within which the accelerations of an arm without measurements are right."""
 
 
 @value_class(frozen=True, slots=True)
@@ -60,16 +57,10 @@ class Torques:
     n33: float
     wrist: tuple[float, float, float]
     """Accelerations of axes 4 to 6 [rad/s2]."""
-    filter_time: float
-    """Width [s] of the smoothing of the command."""
-    fine_dwell: float
-    """Time [s] at a stop point from the end of the command to the start of the next."""
-    measured: bool
-    """Whether these constants were measured on the arm, else scaled from others."""
     wrist_in_zones: tuple[float, float] | None = None
     """Behaviour of the wrist in zones according to logs: the share of its accelerations in a narrow
-    zone, as a factor on that of the main axes (`MotionModel.zone_share`), and the number of cycles
-    whose travel widens the zone (`MotionModel.zone_cycles`). None: as for the main axes."""
+    zone, as a factor on that of the main axes (`MotionConstants.zone_share`), and the number of
+    cycles whose travel widens the zone (`MotionModel.zone_cycles`). None: as for the main axes."""
 
 
 class _Inertia(NamedTuple):
@@ -95,7 +86,7 @@ class Dynamics:
         """Return shares of the torques of axes 1 to 3 per path acceleration and squared path speed.
 
         Args:
-            stance: Shape (k, 4); see `PathRates`.
+            stance: InertiaShape (k, 4); see `PathRates`.
             first: First derivatives of the joints (k, 3) along the path [rad/m].
             second: Second derivatives (k, 3) [rad/m2].
             load: Load at the wrist (k,), as a share of the rated payload.
@@ -180,40 +171,3 @@ class Dynamics:
         r = g.a1 + g.c2 + t.x
         n11 = t.i1 + t.rod * ((g.a1 + 0.5 * g.c2) ** 2 + g.c2**2 / 12.0) + t.point * r**2
         return 1.0 / n11, 1.0 / (t.c + t.d), 1.0 / t.n33
-
-
-def prior(geometry: OpwGeometry, speeds: tuple[float, ...], reach: float) -> Torques:
-    """Return assumed torque constants of an arm without measurements.
-
-    Args:
-        geometry: Lengths of the arm.
-        speeds: Axis speeds [rad/s].
-        reach: Reach of the arm [m].
-
-    Source: shape and scale pooled over the two measured arms, accurate within a factor of 1.5 (one
-    standard deviation 1.3); below 0.6 m and above 3 m of reach it is extrapolated.
-    """
-    g = geometry
-    x, z = 0.68 * g.c3, -1.2 * g.a2
-    n11 = 0.165 * reach / speeds[0]
-    of_point = 3.05 * ((g.a1 + 0.5 * g.c2) ** 2 + g.c2**2 / 12.0) + (g.a1 + g.c2 + x) ** 2
-    point = 0.7 * n11 / of_point
-    n22 = 0.168 * reach / speeds[1]
-    d = 0.3 * n22 / 1.3
-    return Torques(
-        i1=0.3 * n11,
-        rod=3.05 * point,
-        point=point,
-        x=x,
-        z=z,
-        c=n22 / 1.3,
-        d=d,
-        delta=-atan2(x, z),
-        e=0.4 * d,
-        kappa=0.46,
-        n33=0.087 * reach**0.55 / speeds[2],
-        wrist=(speeds[3] / 0.10, speeds[4] / 0.10, speeds[5] / 0.10),
-        filter_time=0.068 * reach**0.35,
-        fine_dwell=0.058 * reach**0.35 + 0.025,
-        measured=False,
-    )

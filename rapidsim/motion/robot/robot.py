@@ -17,14 +17,17 @@ from rapidsim.motion.kinematics.numerical.revolute_chain import AxisRowGeometry,
 from rapidsim.motion.robot.catalogue import (
     CatalogueEntry,
     RobotError,
-    dynamics_of,
     find_entry,
     kinematics_of,
     robot_names,
     speed_lender,
 )
-from rapidsim.motion.robot.dynamics import Dynamics
 from rapidsim.motion.robot.external_axes import Axes, ExternalAxis
+from rapidsim.motion.robot.motion_constants import (
+    MotionConstants,
+    constants_of,
+    constants_of_version_2,
+)
 from rapidsim.values import value_class
 
 __all__ = ["Joint", "Robot", "RobotError", "load_robot", "robot_names"]
@@ -109,8 +112,10 @@ class Robot:
     link_excess_m: tuple[float, ...] = ()
     """Distance [m] by which 95 % of the surface of the maker's links extend at most beyond ours,
     the base first; empty if not compared."""
-    dynamics: Dynamics | None = None
-    """Torque limits of its main axes; None if only axis speeds are known."""
+    constants: MotionConstants = MotionConstants()
+    """Constants of the motion model."""
+    constants_2: MotionConstants = MotionConstants()
+    """Constants of version 2 of the motion model."""
     external: tuple[ExternalAxis, ...] = ()
     """Axes outside the arm, in the order of their letters; defined in the station file."""
     meshes: LinkMeshes | None = None
@@ -238,7 +243,8 @@ def _from_entry(entry: CatalogueEntry) -> Robot:
             )
         ),
         kinematics=kinematics,
-        dynamics=dynamics_of(entry),
+        constants=constants_of(entry),
+        constants_2=constants_of_version_2(entry),
         notices=(*_notices(entry), *entry.notices, *lent),
         urdf=entry.urdf,
         payload_kg=entry.payload_kg,

@@ -11,6 +11,7 @@ from rapidsim.frames.transform import Array
 from rapidsim.motion.model import MotionModel
 from rapidsim.motion.path.path_derivatives import PathRates
 from rapidsim.motion.robot.dynamics import Dynamics
+from rapidsim.motion.robot.motion_constants import MotionConstants
 from rapidsim.motion.robot.robot import Robot, RobotError
 from rapidsim.values import value_class
 
@@ -61,6 +62,8 @@ class Limits:
     max_acceleration: Array
     """Shape (n + e,) [rad/s2, m/s2]. For axes limited by torques, about the smallest acceleration
     that they allow: a discretisation fine enough for that is fine enough for larger ones."""
+    zone_share: Array
+    """Shape (n + e,): share of the limits of acceleration that is used in a narrow zone."""
     arms: tuple[ArmTorques, ...] = ()
     """Torques that limit main axes instead of an acceleration; empty if there are none."""
 
@@ -98,6 +101,7 @@ def limits_of(robot: Robot, model: MotionModel) -> Limits:
             ]
         )
     arms = torques_of(robot, model)
+    share = model_of(robot, model).share_in_zones
     for arm in arms:
         acceleration = np.append(
             arm.torque * arm.dynamics.least_accelerations,
@@ -106,16 +110,28 @@ def limits_of(robot: Robot, model: MotionModel) -> Limits:
     return Limits(
         np.append(max_speed, [axis.max_speed for axis in robot.external]),
         np.append(acceleration, [axis.max_acceleration for axis in robot.external]),
+        np.full(len(max_speed) + len(robot.external), share),
         arms,
     )
 
 
 def torques_of(robot: Robot, model: MotionModel) -> tuple[ArmTorques, ...]:
     """Return the torques of an arm under a motion model; empty if accelerations limit its axes."""
-    known = model.version != "1" and model.own_accelerations and model.acceleration is None
-    if robot.dynamics is None or not known:
+    dynamics = constants_of(robot, model).dynamics
+    if dynamics is None or not model.own_accelerations or model.acceleration is not None:
         return ()
-    return (ArmTorques(robot.dynamics, np.array(model.torque)),)
+    return (ArmTorques(dynamics, np.array(model.torque)),)
+
+
+def constants_of(robot: Robot, model: MotionModel) -> MotionConstants:
+    """Return the constants of an arm in a version of the motion model."""
+    match model.version:
+        case "1":
+            return MotionConstants()
+        case "2":
+            return robot.constants_2
+        case "3":
+            return robot.constants
 
 
 def combined_limits(limits: Sequence[Limits]) -> Limits:
@@ -127,16 +143,15 @@ def combined_limits(limits: Sequence[Limits]) -> Limits:
     return Limits(
         np.concatenate([one.max_speed for one in limits]),
         np.concatenate([one.max_acceleration for one in limits]),
+        np.concatenate([one.zone_share for one in limits]),
         tuple(arms),
     )
 
 
 def model_of(robot: Robot, model: MotionModel) -> MotionModel:
-    """Return a motion model in which the known times of an arm replace unset ones."""
-    if robot.dynamics is None:
-        return model
-    torques = robot.dynamics.torques
-    return model.of_arm(torques.filter_time, torques.fine_dwell)
+    """Return a motion model in which the constants of an arm replace unset ones."""
+    own = constants_of(robot, model)
+    return model.of_arm(own.filter_time, own.fine_dwell, own.zone_share)
 
 
 def _max_speed(robot: Robot, model: MotionModel) -> Array:

@@ -10,6 +10,7 @@ import numpy as np
 
 from rapidsim.json_records.declarations import OutputRecord, ValueForm
 from rapidsim.motion.kinematics.axis_tables import dh_table_of, screws_of
+from rapidsim.motion.robot.motion_constants import MotionConstants
 from rapidsim.motion.robot.robot import Joint, Robot
 from rapidsim.motion.workspace import ArmWorkspace
 from rapidsim.report.tables.axis_tables import Matrix, matrix_in_mm, plain_numbers
@@ -31,6 +32,24 @@ class JointRecord:
 
 
 @value_class(frozen=True, slots=True)
+class MotionRecord:
+    """Constants of the motion model for an arm."""
+
+    accelerations: str
+    """Torques or accelerations, their basis and accuracy."""
+    factor: float
+    """Factor within which they are right."""
+    cycle_percent: float | None
+    """Percentage within which cycle times near these limits are right; null if unknown."""
+    zone_share: float
+    """Share of these limits that is used in a narrow zone."""
+    filter_time_s: float
+    """Width of the smoothing of the command."""
+    fine_dwell_s: float
+    """Duration of a stop point."""
+
+
+@value_class(frozen=True, slots=True)
 class RobotRecord:
     """An arm of the catalogue."""
 
@@ -43,6 +62,7 @@ class RobotRecord:
     axis_speeds_from: str | None
     """The arm whose axis speeds `joints` gives if no source gives those of this arm."""
     joints: tuple[JointRecord, ...]
+    motion: MotionRecord
     sources: tuple[str, ...]
     checks: tuple[str, ...]
     """Comparisons of the model with published values."""
@@ -165,6 +185,7 @@ def robot_record(robot: Robot, aliases: tuple[str, ...]) -> RobotRecord:
         reach_mm=None if robot.reach_m is None else robot.reach_m * 1000.0,
         axis_speeds_from=robot.axis_speeds_from,
         joints=tuple(map(_joint, robot.joints)),
+        motion=_motion(robot.constants),
         sources=tuple(robot.sources),
         checks=tuple(robot.checks),
         notes=tuple(robot.notes),
@@ -193,6 +214,17 @@ def axis_tables(robot: Robot) -> AxisTables:
             plain_numbers(matrix_in_mm(dh.base)), rows, plain_numbers(matrix_in_mm(dh.flange))
         ),
         ScrewRecord(axes, plain_numbers(matrix_in_mm(screws.base_from_flange))),
+    )
+
+
+def _motion(constants: MotionConstants) -> MotionRecord:
+    return MotionRecord(
+        accelerations=constants.limits_text,
+        factor=constants.factor,
+        cycle_percent=constants.cycle_percent,
+        zone_share=constants.zone_share,
+        filter_time_s=constants.filter_time,
+        fine_dwell_s=constants.fine_dwell,
     )
 
 

@@ -98,6 +98,13 @@ def robot_page(robot: Robot, aliases: Sequence[str]) -> RenderableType:
     facts.add_row("payload", _payload(robot))
     facts.add_row("reach", _reach(robot))
     facts.add_row("shapes", str(robot.urdf) if robot.urdf else "none")
+    own = robot.constants
+    facts.add_row("motion", own.limits_text)
+    facts.add_row(
+        "",
+        f"smoothing {own.filter_time:.3f} s, dwell at stop points {own.fine_dwell:.3f} s, "
+        f"{100.0 * own.zone_share:.0f} % of these limits in narrow zones",
+    )
     if robot.link_excess_m:
         excess = ", ".join(f"{1000.0 * one:.0f}" for one in robot.link_excess_m)
         facts.add_row("", f"95 % of the maker's surface within {excess} mm of them, base first")
