@@ -13,7 +13,7 @@ from motion_programs import HOME, V500, Programmer, path_of
 
 from rapidsim.frames.transform import Array
 from rapidsim.motion.model import MODELS, MotionModel
-from rapidsim.motion.robot.dynamics import Dynamics
+from rapidsim.motion.robot.dynamics import ElbowDynamics
 from rapidsim.motion.robot.robot import Robot, load_robot, robot_names
 from rapidsim.motion.timing.axis_limits import combined_limits, limits_of, model_of
 from rapidsim.motion.timing.planning import plan
@@ -23,8 +23,8 @@ angles = st.tuples(*(st.floats(-1.2, 1.2) for _ in range(3)))
 rates = st.tuples(*(st.floats(-3.0, 3.0) for _ in range(3)))
 
 
-def _dynamics(robot: Robot) -> Dynamics:
-    assert robot.constants.dynamics is not None
+def _dynamics(robot: Robot) -> ElbowDynamics:
+    assert isinstance(robot.constants.dynamics, ElbowDynamics)
     return robot.constants.dynamics
 
 
@@ -140,7 +140,7 @@ def test_version_2_of_the_model_keeps_its_constants(
 
 
 def test_who_has_torques() -> None:
-    """Arms of ABB with a spherical wrist and known speeds; two of them were measured."""
+    """Arms of ABB but palletizers and seven-axis arms; two of them were measured."""
     known = {name: load_robot(name) for name in robot_names()}
     with_torques = {name for name, robot in known.items() if robot.constants.dynamics is not None}
     measured = {name for name in with_torques if known[name].constants.is_measured}

@@ -27,7 +27,17 @@ from rapidsim.motion.kinematics.closed_form.opw_geometry import JOINT_COUNT, Opw
 from rapidsim.motion.kinematics.closed_form.palletizer import Palletizer, PalletizerGeometry
 from rapidsim.motion.kinematics.closed_form.scara import Scara, ScaraGeometry
 from rapidsim.motion.kinematics.numerical.revolute_chain import AxisRowGeometry, searched_arm
-from rapidsim.motion.robot.dynamics import Torques
+from rapidsim.motion.robot.known_constants import (
+    MeasuredConstants,
+    PublishedAccelerations,
+    PublishedTorques,
+    ReferenceCycle,
+    inertia_shape,
+    measured_constants,
+    published_accelerations,
+    published_torques,
+    reference_cycle,
+)
 from rapidsim.motion.robot.scaled_torques import InertiaShape
 from rapidsim.motion.robot.structures import Geometry, geometry_from_table
 from rapidsim.shipped import shipped
@@ -44,23 +54,6 @@ class RobotError(InputError):
     def __init__(self, message: str, similar: Sequence[str] = ()) -> None:
         """Create the error; `similar` are known names near an unknown one."""
         super().__init__(message, similar=similar)
-
-
-@value_class(frozen=True, slots=True)
-class MeasuredConstants:
-    """Constants of the motion model that were measured on an arm."""
-
-    torques: Torques
-    filter_time: float
-    """Width [s] of the smoothing of the command."""
-    fine_dwell: float
-    """Time [s] at a stop point from the end of the command to the start of the next."""
-    wrist_is_lower_bound: bool
-    """Whether the wrist may accelerate more than was seen."""
-    factor: float
-    """Factor within which the torques are right."""
-    cycle_percent: float
-    """Percentage within which cycle times near these limits are right."""
 
 
 @value_class(frozen=True, slots=True)
@@ -81,7 +74,14 @@ class CatalogueEntry:
     measured: MeasuredConstants | None
     """None unless measured."""
     shape: InertiaShape | None
-    """InertiaShape of the inertia; None unless a drawing of the arm shows it."""
+    """Shape of the inertia; None unless a drawing of the arm shows it."""
+    torques: PublishedTorques | None
+    """None unless published."""
+    accelerations: PublishedAccelerations | None
+    """None unless published."""
+    picking: ReferenceCycle | None
+    unconfirmed_speeds: tuple[float, ...]
+    """Axis speeds in RAPID's units that no source confirms, for the user to check; or empty."""
     payload_kg: float | None
     reach_m: float | None
     sources: tuple[str, ...]
@@ -254,8 +254,14 @@ def _entry(table: Mapping[str, Any], folder: Path) -> CatalogueEntry:
         limits=tuple((radians(lower), radians(upper)) for lower, upper in map(_limits, joints)),
         max_speeds=_radians(joints, "max_speed_deg_s", "max_speed_mm_s"),
         max_accelerations=_radians(joints, "max_acceleration_deg_s2", "max_acceleration_mm_s2"),
-        measured=_measured(table["dynamics"]) if "dynamics" in table else None,
-        shape=_shape(table["shape"]) if "shape" in table else None,
+        measured=measured_constants(table["dynamics"]) if "dynamics" in table else None,
+        shape=inertia_shape(table["shape"]) if "shape" in table else None,
+        torques=published_torques(table["torques"]) if "torques" in table else None,
+        accelerations=(
+            published_accelerations(table["accelerations"]) if "accelerations" in table else None
+        ),
+        picking=reference_cycle(table["picking_cycle"]) if "picking_cycle" in table else None,
+        unconfirmed_speeds=tuple(table.get("unconfirmed_speeds", ())),
         payload_kg=table.get("payload_kg"),
         reach_m=table.get("reach_m"),
         sources=tuple(table["sources"]),
@@ -265,41 +271,6 @@ def _entry(table: Mapping[str, Any], folder: Path) -> CatalogueEntry:
         not_modelled=tuple(table.get("not_modelled", ())),
         link_excess_m=tuple(1e-3 * excess for excess in table.get("link_excess_mm", ())),
         folder=folder,
-    )
-
-
-def _measured(table: Mapping[str, Any]) -> MeasuredConstants:
-    """Return the constants in the table [dynamics] of a measured arm."""
-    w4, w5, w6 = (radians(one) for one in table["wrist_deg_s2"])
-    torques = Torques(
-        **{name: table[name] for name in ("i1", "rod", "point", "x", "z", "c", "d", "e", "kappa")},
-        delta=radians(table["delta_deg"]),
-        n33=table["n33"],
-        wrist=(w4, w5, w6),
-        wrist_in_zones=(
-            (table["wrist_zone_share"], table["wrist_zone_cycles"])
-            if "wrist_zone_share" in table
-            else None
-        ),
-    )
-    return MeasuredConstants(
-        torques,
-        filter_time=table["filter_time_s"],
-        fine_dwell=table["fine_dwell_s"],
-        wrist_is_lower_bound=table.get("wrist_is_lower_bound", False),
-        factor=table["factor"],
-        cycle_percent=table["cycle_percent"],
-    )
-
-
-def _shape(table: Mapping[str, Any]) -> InertiaShape:
-    """Return the shape in the table [shape] of an arm."""
-    return InertiaShape(
-        x=table["x"],
-        z=table["z"],
-        rod_of_point=table["rod_of_point"],
-        d_of_c=table["d_of_c"],
-        delta=radians(table["delta_deg"]),
     )
 
 

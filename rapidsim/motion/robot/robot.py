@@ -23,6 +23,7 @@ from rapidsim.motion.robot.catalogue import (
     speed_lender,
 )
 from rapidsim.motion.robot.external_axes import Axes, ExternalAxis
+from rapidsim.motion.robot.known_constants import ReferenceCycle
 from rapidsim.motion.robot.motion_constants import (
     MotionConstants,
     constants_of,
@@ -116,6 +117,8 @@ class Robot:
     """Constants of the motion model."""
     constants_2: MotionConstants = MotionConstants()
     """Constants of version 2 of the motion model."""
+    picking: ReferenceCycle | None = None
+    """Figure for its picking cycle; None if there is none."""
     external: tuple[ExternalAxis, ...] = ()
     """Axes outside the arm, in the order of their letters; defined in the station file."""
     meshes: LinkMeshes | None = None
@@ -243,7 +246,7 @@ def _from_entry(entry: CatalogueEntry) -> Robot:
             )
         ),
         kinematics=kinematics,
-        constants=constants_of(entry),
+        constants=constants_of(entry, are_speeds_own=lender is None),
         constants_2=constants_of_version_2(entry),
         notices=(*_notices(entry), *entry.notices, *lent),
         urdf=entry.urdf,
@@ -254,6 +257,7 @@ def _from_entry(entry: CatalogueEntry) -> Robot:
         checks=entry.checks,
         notes=(*entry.notes, *lent),
         not_modelled=entry.not_modelled,
+        picking=entry.picking,
         link_excess_m=entry.link_excess_m,
     )
 
@@ -262,9 +266,11 @@ def _speed_notices(entry: CatalogueEntry, lender: CatalogueEntry | None) -> tupl
     """Return notices about axis speeds taken from another arm."""
     if lender is None:
         return ()
+    speeds = ", ".join(f"{speed:g}" for speed in entry.unconfirmed_speeds)
+    suggested = f"; to be checked, as no source confirms them: [{speeds}]" if speeds else ""
     return (
         f"no source gives the axis speeds of {entry.name}: those of {lender.name} are used "
-        "unless [motion] axis_speed = [...] in rapidsim.toml sets them",
+        f"unless [motion] axis_speed = [...] in rapidsim.toml sets them{suggested}",
     )
 
 

@@ -70,7 +70,7 @@ def scaled_torques(
         geometry: Lengths of the arm.
         speeds: Axis speeds [rad/s].
         reach: Reach of the arm [m].
-        shape: InertiaShape of the arm if its drawing shows it, else that of its lengths.
+        shape: Shape of the arm if its drawing shows it, else that of its lengths.
 
     Source: the two measured arms allow a scale by speed and one by reach; this is their geometric
     mean, which scatters least against published loads on foundations and joint torques. One

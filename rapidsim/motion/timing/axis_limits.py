@@ -37,7 +37,7 @@ class ArmTorques:
     def wrist(self) -> slice:
         """Its wrist axes among all axes."""
         first = self.first_axis + len(self.torque)
-        return slice(first, first + len(self.dynamics.torques.wrist))
+        return slice(first, first + len(self.dynamics.wrist))
 
     def rows(self, rates: PathRates, load: Array) -> tuple[Array, Array]:
         """Return slope and bend (k, 3) at points (k,) with loads (k,); see `AccelerationRows`."""
@@ -84,7 +84,7 @@ def limits_of(robot: Robot, model: MotionModel) -> Limits:
             not one per axis.
     """
     max_speed = _max_speed(robot, model)
-    acceleration = max_speed / model.acceleration_time
+    acceleration = max_speed / _acceleration_times(robot, model)
     if model.acceleration is not None:
         if len(model.acceleration) != len(robot.joints):
             raise RobotError(
@@ -105,7 +105,7 @@ def limits_of(robot: Robot, model: MotionModel) -> Limits:
     for arm in arms:
         acceleration = np.append(
             arm.torque * arm.dynamics.least_accelerations,
-            model.wrist * np.array(arm.dynamics.torques.wrist),
+            model.wrist * np.array(arm.dynamics.wrist),
         )
     return Limits(
         np.append(max_speed, [axis.max_speed for axis in robot.external]),
@@ -152,6 +152,13 @@ def model_of(robot: Robot, model: MotionModel) -> MotionModel:
     """Return a motion model in which the constants of an arm replace unset ones."""
     own = constants_of(robot, model)
     return model.of_arm(own.filter_time, own.fine_dwell, own.zone_share)
+
+
+def _acceleration_times(robot: Robot, model: MotionModel) -> Array | float:
+    """Return times [s] in which axes reach their speed: one, or one per axis (n,)."""
+    own = constants_of(robot, model).acceleration_times
+    known = model.own_accelerations and own is not None
+    return np.array(own) if known else model.acceleration_time
 
 
 def _max_speed(robot: Robot, model: MotionModel) -> Array:

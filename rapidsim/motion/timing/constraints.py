@@ -198,7 +198,13 @@ def axis_rows(path: Path, places: GridPoints, limits: Limits) -> AccelerationRow
     for arm in limits.arms:
         own_slope, own_bend = arm.rows(places.rates, 0.0 * load)
         slope[:, arm.axes], bend[:, arm.axes] = own_slope / share, own_bend / share
-        torques = [Limiter(Quantity.TORQUE, arm.first_axis + axis) for axis in (1, 2, 3)]
+        torques = [
+            Limiter(
+                Quantity.TORQUE if axis <= arm.dynamics.torque_axes else Quantity.AXIS_ACCELERATION,
+                arm.first_axis + axis,
+            )
+            for axis in (1, 2, 3)
+        ]
         limiters[arm.axes] = torques
         if load.any():
             of_load = arm.rows(places.rates, load)
@@ -227,7 +233,7 @@ def _in_zones(
     taken = _more_in_zones(path, places, bend, share, 1.0, path.model.zone_cycles)
     slopes, bends = slope * taken, bend * taken
     for arm in limits.arms:
-        known, wrist = arm.dynamics.torques.wrist_in_zones, arm.wrist
+        known, wrist = arm.dynamics.wrist_in_zones, arm.wrist
         if known is not None:
             taken = _more_in_zones(path, places, bend[:, wrist], own[wrist][:1], *known)
             slopes[:, wrist], bends[:, wrist] = slope[:, wrist] * taken, bend[:, wrist] * taken
