@@ -8,6 +8,7 @@ from typing import Annotated, ClassVar
 
 import numpy as np
 
+from rapidsim.jobs.running.picking_cycle import PickingCycle
 from rapidsim.json_records.declarations import OutputRecord, ValueForm
 from rapidsim.motion.kinematics.axis_tables import dh_table_of, screws_of
 from rapidsim.motion.robot.motion_constants import MotionConstants
@@ -155,12 +156,38 @@ class RequestedWorkspace:
 
 
 @value_class(frozen=True, slots=True)
+class CycleRecord:
+    """The picking cycle: 25 mm up, 300 mm across, 25 mm down, and back."""
+
+    load_kg: float
+    position_mm: tuple[float, ...]
+    """Distance from axis 1 and height of its low points."""
+    fly_by_s: float
+    """Time with z10 at the low points."""
+    stop_s: float
+    """Time with `fine` at the low points."""
+    reference_s: float | None
+    """A figure to compare with; null if there is none."""
+    source: str | None
+    """Source of that figure; null if it has none."""
+
+
+@value_class(frozen=True, slots=True)
+class RequestedCycle:
+    """The picking cycle of an arm, if requested."""
+
+    cycle: CycleRecord
+    """With --cycle."""
+
+
+@value_class(frozen=True, slots=True)
 class RobotPageRecord:
     """The object that `rapidsim robots NAME --format json` prints."""
 
     robot: Annotated[RobotRecord, ValueForm.INLINE]
     tables: Annotated[AxisTables | None, ValueForm.INLINE]
     requested: Annotated[RequestedWorkspace | None, ValueForm.INLINE]
+    cycle: Annotated[RequestedCycle | None, ValueForm.INLINE]
 
 
 def robot_page_record(
@@ -168,10 +195,12 @@ def robot_page_record(
     aliases: tuple[str, ...],
     tables: AxisTables | None,
     workspace: ArmWorkspace | str | None,
+    cycle: PickingCycle | None,
 ) -> RobotPageRecord:
-    """The record of one arm, with its tables and its workspace if requested."""
+    """The record of one arm, with its tables, its workspace and its cycle if requested."""
     requested = None if workspace is None else RequestedWorkspace(_workspace(workspace))
-    return RobotPageRecord(robot_record(robot, aliases), tables, requested)
+    cycled = None if cycle is None else RequestedCycle(_cycle(robot, cycle))
+    return RobotPageRecord(robot_record(robot, aliases), tables, requested, cycled)
 
 
 def robot_record(robot: Robot, aliases: tuple[str, ...]) -> RobotRecord:
@@ -214,6 +243,18 @@ def axis_tables(robot: Robot) -> AxisTables:
             plain_numbers(matrix_in_mm(dh.base)), rows, plain_numbers(matrix_in_mm(dh.flange))
         ),
         ScrewRecord(axes, plain_numbers(matrix_in_mm(screws.base_from_flange))),
+    )
+
+
+def _cycle(robot: Robot, cycle: PickingCycle) -> CycleRecord:
+    known = robot.picking
+    return CycleRecord(
+        load_kg=cycle.load_kg,
+        position_mm=cycle.position_mm,
+        fly_by_s=cycle.fly_by_s,
+        stop_s=cycle.stop_s,
+        reference_s=None if known is None else known.time_s,
+        source=None if known is None else known.source,
     )
 
 
