@@ -18,6 +18,7 @@ from rapidsim.frames.transform import Array
 from rapidsim.jobs.checking.checked_program import load
 from rapidsim.motion.robot.robot import Robot, load_robot
 from rapidsim.motion.timing.axis_limits import limits_of
+from rapidsim.report.run.figures import figures
 from rapidsim.simulation.options import RunOptions
 from rapidsim.simulation.simulate import simulate
 
@@ -86,3 +87,16 @@ def test_random_programs_keep_limits_and_curves(name: str) -> None:
         steps = np.abs(np.diff(one.trajectory.at(np.arange(0.0, run.time_s, 1e-3)).joints, axis=0))
         assert (steps <= 1.01e-3 * limits.max_speed).all(), seed
     assert ended > cases(12) // 3
+
+
+@pytest.mark.parametrize(
+    ("name", "factor"), [("irb14000-0.5-0.5-left", 1.3), ("crb15000-5-0.95", 1.5), ("kr10", 2.0)]
+)
+def test_a_run_is_varied_by_the_accuracy_known_of_the_arm(name: str, factor: float) -> None:
+    robot = load_robot(name)
+    to = _joint_target(robot, robot.start + 0.2)
+    text = f"MODULE cell\nPROC main()\nMoveAbsJ {to},v5000,fine,tool0;\nENDPROC\nENDMODULE\n"
+    loaded = load([SourceFile("cell.mod", text, "utf-8")], cell=CellNames())
+    assert loaded.program is not None
+    found = figures(simulate(loaded.program, robot, options=RunOptions())).sensitivity
+    assert [one.factor for one in found] == pytest.approx([1.0 / factor, factor])

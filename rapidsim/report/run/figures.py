@@ -143,9 +143,9 @@ def _sensitivity(simulation: Simulation) -> tuple[AccelerationSensitivity, ...]:
     """The times with less and more acceleration, which is the assumption that counts most."""
     only = simulation.only
     limits = limits_of(only.robot, simulation.model)
-    either_way = (
-        constants_of(only.robot, simulation.model).factor if limits.arms else _GUESSED_FACTOR
-    )
+    model = simulation.model
+    has_own = model.own_accelerations and model.acceleration is None
+    either_way = constants_of(only.robot, model).factor if has_own else _GUESSED_FACTOR
     times = []
     for factor in (1.0 / either_way, either_way):
         extra_s = extra_time_s(only.trajectory, limits, factor)
