@@ -25,19 +25,19 @@ mpl.use("Agg")
 
 import matplotlib.pyplot as plt  # noqa: E402  (after the backend is chosen)
 
-COLOURS = {"1": "#b0b0b0", "2": "#1f77b4"}
-NAMES = {"1": "motion model 1", "2": "motion model 2"}
+COLOURS = {"1": "#b0b0b0", "3": "#1f77b4"}
+NAMES = {"1": "motion model 1", "3": "motion models 2 and 3"}
 
 
 def main() -> None:
-    """Run all corners with both models and draw both errors."""
+    """Run all corners with the models and draw both errors."""
     labels = [
         f"{'aside' if corner is logged.ASIDE else 'outwards'} {speed} {zone}"
         for corner, speed, zone, _, _ in logged.CASES
     ]
     figure, (above, below) = plt.subplots(2, 1, sharex=True, figsize=(9.0, 5.4), layout="tight")
     places = np.arange(len(labels))
-    for number, version in enumerate(MODELS):
+    for number, version in enumerate(NAMES):
         found = [logged.figures_of(*case[:3], MODELS[version]) for case in logged.CASES]
         duration = [
             100.0 * (ours / case[3] - 1.0)

@@ -1,8 +1,8 @@
 """Parameters of the motion model: behaviour of a controller that geometry does not determine.
 
 Source: fits to logs of one virtual controller and of one real arm; for arms without measurements,
-values are scaled from the measured ones (`robot/dynamics.py`). Every run summary prints these
-values.
+values are scaled from the measured ones (`robot/motion_constants.py`). Every run summary prints
+these values.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ OrientationZone = Literal["own", "position", "programmed"]
 Keeper = Literal["command", "motion"]
 Smoothing = Literal["path", "axes"]
 Averages = Literal[1, 2]
-Version = Literal["1", "2"]
+Version = Literal["1", "2", "3"]
 Controller = Literal["virtual", "real"]
 
 INTERPOLATION_CYCLE_S = 0.004032
@@ -30,6 +30,8 @@ _SHORTER = 0.59
 """Share by which a stop is shorter at nearly zero speed: 57 ms at v50, 102 ms from v300 on.
 
 Measured values are 32 to 86 ms at v50, by an unknown rule; this is their mean."""
+ACCELERATION_TIME_S = 0.16
+"""Time [s] in which an axis reaches its speed, for arms of which nothing better is known."""
 REAL_STOP_S = 0.018
 """Extra time [s] of a real arm at a stop point against a virtual controller: 16 to 20 ms."""
 
@@ -38,11 +40,12 @@ REAL_STOP_S = 0.018
 class MotionModel:
     """Axis accelerations, smoothing of the command, and duration of stop points."""
 
-    version: Version = "2"
-    """Version of the laws: `1` are the laws of version 0.1 of this program."""
+    version: Version = "3"
+    """Version of the laws: `1` are the laws of version 0.1 of this program, `2` those of the large
+    measured arm with less scaling by size."""
     controller: Controller = "virtual"
     """Kind of controller, for stop points: a real arm takes slightly longer."""
-    acceleration_time: float = 0.16
+    acceleration_time: float = ACCELERATION_TIME_S
     """Axis acceleration is axis speed divided by this [s], if no better value is known."""
     own_accelerations: bool = True
     """Whether known torques or accelerations of an arm replace `acceleration_time`."""
@@ -85,20 +88,26 @@ class MotionModel:
     corners, at the cost of times that no controller was seen to need."""
     cycle: float = INTERPOLATION_CYCLE_S
     """Minimum time [s] of the command in a zone."""
-    zone_share: float = 0.64
-    """Share of torques and accelerations that is used in a narrow zone; in wide ones it is more."""
+    zone_share: float | None = None
+    """Share of torques and accelerations that is used in a narrow zone; in wide ones it is more.
+    None is the arm's value."""
     zone_cycles: float = 0.45
     """Number of cycles whose travel, at the speed in a zone, widens the zone for `zone_share`."""
 
     @property
     def window(self) -> float:
         """Width [s] of the command's smoothing window."""
-        return _FILTER_S if self.filter_time is None else self.filter_time
+        return FILTER_S if self.filter_time is None else self.filter_time
+
+    @property
+    def share_in_zones(self) -> float:
+        """Share of torques and accelerations that is used in a narrow zone."""
+        return ZONE_SHARE if self.zone_share is None else self.zone_share
 
     @property
     def dwell(self) -> float:
         """Time [s] at a stop point between the end of a command and the start of the next."""
-        dwell = _DWELL_S if self.fine_dwell is None else self.fine_dwell
+        dwell = DWELL_S if self.fine_dwell is None else self.fine_dwell
         return dwell + (REAL_STOP_S if self.controller == "real" else 0.0)
 
     def dwell_after(self, braking_s: float) -> float:
@@ -123,17 +132,18 @@ class MotionModel:
         """
         return self.accelerations_kept_by == "motion" and self.smoothing == "path"
 
-    def of_arm(self, filter_time: float, fine_dwell: float) -> MotionModel:
-        """Return the model with the times [s] of an arm where the model has none."""
+    def of_arm(self, filter_time: float, fine_dwell: float, zone_share: float) -> MotionModel:
+        """Return the model with the times [s] and the share of an arm where the model has none."""
         return replace(
             self,
             filter_time=filter_time if self.filter_time is None else self.filter_time,
             fine_dwell=fine_dwell if self.fine_dwell is None else self.fine_dwell,
+            zone_share=zone_share if self.zone_share is None else self.zone_share,
         )
 
 
-_FILTER_S, _DWELL_S = 0.094, 0.102
-"""Values of the measured arm, for arms without known values."""
+FILTER_S, DWELL_S, ZONE_SHARE = 0.094, 0.102, 0.64
+"""Values of the large measured arm, for arms of unknown size."""
 MODELS: Mapping[Version, MotionModel] = MappingProxyType(
     {
         "1": MotionModel(
@@ -148,7 +158,8 @@ MODELS: Mapping[Version, MotionModel] = MappingProxyType(
             cycle=0.0,
             zone_share=1.0,
         ),
-        "2": MotionModel(),
+        "2": MotionModel(version="2"),
+        "3": MotionModel(),
     }
 )
 """Default model of each version, before overrides of a station file."""

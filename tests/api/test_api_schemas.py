@@ -79,7 +79,7 @@ CALLS: dict[str, tuple[tuple[object, ...], ...]] = {
         ("robots", "--for", "missing.mod"),
     ),
     "robot": (
-        ("robots", "irb120", "--table", "--workspace"),
+        ("robots", "irb120", "--table", "--workspace", "--cycle"),
         ("robots", "rvm1"),
         ("robots", "irb460", "--table"),
         ("robots", ROOT / "robots" / "irb120-3-0.58" / "irb120-3-0.58.urdf"),

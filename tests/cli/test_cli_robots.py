@@ -168,3 +168,19 @@ def test_an_arm_of_unknown_speed_has_the_speeds_of_its_family(tmp_path: Path) ->
     own = rapidsim(*arguments, "irb1300-10-1.15")
     assert own.code == 0, own.err
     assert "axis speeds of" not in own.err
+
+
+def test_the_picking_cycle_of_an_arm_stands_beside_a_published_figure() -> None:
+    shown = " ".join(rapidsim("robots", "irb910sc-3-0.65", "--cycle").out.split())
+    assert "25 mm up, 300 mm across, 25 mm down, and back, 1 kg" in shown
+    assert "(15 % either way)" in shown
+    assert "0.385 s, the maker's product specification, as quoted publicly" in shown
+    assert "no figure is known" in rapidsim("robots", "irb1600", "--cycle").out
+    assert "not from a source" in rapidsim("robots", "irb120", "--cycle").out
+
+
+def test_an_arm_that_cannot_make_the_picking_cycle_says_so() -> None:
+    done = rapidsim("robots", "irb14000-0.5-0.5", "--cycle")
+    assert done.code == 2
+    assert "no picking cycle, the arm cannot make its lines" in done.err
+    assert rapidsim("robots", "--cycle").code == 2

@@ -26,6 +26,7 @@ TOOL = Transform(rotation_from_vector(np.array([0.0, 0.3, 0.0])), np.array([0.05
 LIMITS = Limits(
     max_speed=np.array([joint.max_speed or 1.0 for joint in ROBOT.joints]),
     max_acceleration=np.array([(joint.max_speed or 1.0) / 0.16 for joint in ROBOT.joints]),
+    zone_share=np.full(len(ROBOT.joints), 0.64),
 )
 MODEL = MotionModel(filter_time=0.0)
 V500 = Speed(0.5, np.radians(500.0))

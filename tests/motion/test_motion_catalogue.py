@@ -74,8 +74,8 @@ def test_every_file_says_only_what_is_read(robot: Robot) -> None:
     text = (robots_folder() / robot.name / "robot.toml").read_text(encoding="utf-8")
     table = tomllib.loads(text)
     known = "name title maker structure payload_kg reach_m sources checks notes not_modelled flange"
-    tables = "notices geometry_mm zero joint dynamics"
-    assert set(table) <= {*known.split(), *tables.split(), "link_excess_mm"}
+    tables = "notices geometry_mm zero joint dynamics shape torques accelerations picking_cycle"
+    assert set(table) <= {*known.split(), *tables.split(), "link_excess_mm", "unconfirmed_speeds"}
     assert table["maker"] in MAKERS
     assert table["title"].startswith(table["maker"])
 

@@ -13,9 +13,9 @@ from motion_programs import HOME, V500, Programmer, path_of
 
 from rapidsim.frames.transform import Array
 from rapidsim.motion.model import MODELS, MotionModel
-from rapidsim.motion.robot.dynamics import Dynamics
+from rapidsim.motion.robot.dynamics import ElbowDynamics
 from rapidsim.motion.robot.robot import Robot, load_robot, robot_names
-from rapidsim.motion.timing.axis_limits import limits_of, model_of
+from rapidsim.motion.timing.axis_limits import combined_limits, limits_of, model_of
 from rapidsim.motion.timing.planning import plan
 
 MEASURED = ("irb6640-180-2.55", "irb1200-5-0.9")
@@ -23,9 +23,9 @@ angles = st.tuples(*(st.floats(-1.2, 1.2) for _ in range(3)))
 rates = st.tuples(*(st.floats(-3.0, 3.0) for _ in range(3)))
 
 
-def _dynamics(robot: Robot) -> Dynamics:
-    assert robot.dynamics is not None
-    return robot.dynamics
+def _dynamics(robot: Robot) -> ElbowDynamics:
+    assert isinstance(robot.constants.dynamics, ElbowDynamics)
+    return robot.constants.dynamics
 
 
 def _shares(robot: Robot, q: Array, rate: Array, change: Array, load: float = 0.0) -> Array:
@@ -83,6 +83,34 @@ def test_swings_of_single_axes_have_the_accelerations_of_the_tables() -> None:
 
 
 @pytest.mark.parametrize(
+    ("name", "stretched", "wrist", "zone_share", "percent"),
+    [
+        ("irb120-3-0.58", (3966, 3148, 6155), (8000, 8000, 10500), 1.0, 20),
+        ("irb1100-4-0.475", (7376, 4965, 8183), (14000, 10500, 18750), 1.0, 20),
+        ("irb1600-6-1.2", (885, 847, 2012), (4530, 5662, 6370), 0.833, 15),
+        ("irb2400-16-1.55", (591, 578, 1411), (4079, 4079, 5099), 0.762, 20),
+        ("irb6700-200-2.6", (223, 244, 669), (1373, 1084, 1517), 0.636, 15),
+        ("irb7600-150-3.5", (133, 120, 352), (558, 558, 1060), 0.573, 15),
+    ],
+)
+def test_arms_that_were_not_measured_are_scaled(
+    name: str,
+    stretched: tuple[float, ...],
+    wrist: tuple[float, ...],
+    zone_share: float,
+    percent: float,
+) -> None:
+    robot = load_robot(name)
+    own = robot.constants
+    assert not own.is_measured
+    least = np.degrees(_dynamics(robot).least_accelerations)
+    assert least == pytest.approx(stretched, rel=0.005)
+    assert np.degrees(_dynamics(robot).torques.wrist) == pytest.approx(wrist, rel=0.002)
+    assert own.zone_share == pytest.approx(zone_share, abs=0.001)
+    assert (own.factor, own.cycle_percent) == (1.5, percent)
+
+
+@pytest.mark.parametrize(
     ("name", "stretched", "drawn_in", "second", "third", "wrist"),
     [
         ("irb120-3-0.58", 2612, 6557, 2566, 3877, (3200, 3200, 4200)),
@@ -91,7 +119,7 @@ def test_swings_of_single_axes_have_the_accelerations_of_the_tables() -> None:
         ("irb7600-150-3.5", 173, 327, 102, 346, (1000, 1000, 1900)),
     ],
 )
-def test_arms_that_were_not_measured_are_scaled(
+def test_version_2_of_the_model_keeps_its_constants(
     name: str,
     stretched: float,
     drawn_in: float,
@@ -100,24 +128,53 @@ def test_arms_that_were_not_measured_are_scaled(
     wrist: tuple[float, ...],
 ) -> None:
     robot = load_robot(name)
-    torques = _dynamics(robot).torques
-    assert not torques.measured
+    robot = replace(robot, constants=robot.constants_2)
     least = np.degrees(_dynamics(robot).least_accelerations)
     assert least == pytest.approx((stretched, second, third), rel=0.005)
     share = _shares(robot, np.zeros(3), np.zeros(3), np.eye(3)[0])[0]
     assert np.degrees(1.0 / share) == pytest.approx(drawn_in, rel=0.005)
-    assert np.degrees(torques.wrist) == pytest.approx(wrist)
+    assert np.degrees(_dynamics(robot).torques.wrist) == pytest.approx(wrist)
+    limits = limits_of(robot, MODELS["2"])
+    assert set(limits.zone_share) == {0.64}
+    assert limits.max_acceleration[0] == pytest.approx(np.radians(stretched), rel=0.005)
 
 
 def test_who_has_torques() -> None:
-    """Arms of ABB with a spherical wrist and known speeds; two of them were measured."""
+    """Arms of ABB but palletizers and seven-axis arms; two of them were measured."""
     known = {name: load_robot(name) for name in robot_names()}
-    with_torques = {name for name, robot in known.items() if robot.dynamics is not None}
-    measured = {name for name in with_torques if _dynamics(known[name]).torques.measured}
+    with_torques = {name for name, robot in known.items() if robot.constants.dynamics is not None}
+    measured = {name for name in with_torques if known[name].constants.is_measured}
     assert measured == set(MEASURED)
     assert all(known[name].maker == "ABB" for name in with_torques)
     assert "kr10-r1100-sixx" not in with_torques
     assert len(with_torques) > 30
+
+
+@pytest.mark.parametrize("name", robot_names())
+def test_smoothing_dwell_and_share_in_zones_follow_the_reach(name: str) -> None:
+    """A small arm is smoothed over a shorter time, torques known or not."""
+    own = load_robot(name).constants
+    reach = load_robot(name).reach_m
+    assert reach is not None
+    assert own.filter_time == pytest.approx(0.068 * reach**0.35, rel=0.02)
+    assert own.fine_dwell == pytest.approx(0.025 + 0.058 * reach**0.35, rel=0.04)
+    assert own.zone_share == pytest.approx(min(1.0, 0.64 * (2.55 / reach) ** 0.35))
+
+
+def test_wrist_of_which_lower_bounds_were_measured_is_scaled() -> None:
+    robot = load_robot("irb1200-5-0.9")
+    speeds = np.array([joint.max_speed for joint in robot.joints[3:]])
+    assert np.array(_dynamics(robot).torques.wrist) == pytest.approx(speeds / 0.055)
+    assert (robot.constants.factor, robot.constants.cycle_percent) == (1.6, 25.0)
+
+
+def test_robots_that_share_a_path_use_their_own_share_in_zones() -> None:
+    large, small = (limits_of(load_robot(name), MotionModel()) for name in MEASURED)
+    both = combined_limits([large, small])
+    assert both.zone_share[:6] == pytest.approx(0.64)
+    assert both.zone_share[6:] == pytest.approx(0.921, abs=0.001)
+    asked = limits_of(load_robot(MEASURED[1]), MotionModel(zone_share=0.7))
+    assert set(asked.zone_share) == {0.7}
 
 
 def test_a_line_outwards_is_held_back_by_the_torque_of_axis_2() -> None:

@@ -18,6 +18,7 @@ from rapidsim.motion.timing.discretisation import cells_of
 from rapidsim.motion.timing.problem import problem_of
 
 UNSMOOTHED = replace(MODELS["1"], filter_time=0.0)
+FULL = replace(LIMITS, zone_share=np.ones(6))
 """Limits that know nothing of zones, as the other solver's."""
 
 
@@ -45,8 +46,8 @@ def test_another_solver_finds_the_same_time(seed: int, speed: float, planning: M
         offset, turn = random.uniform(-0.08, 0.08, 3), random.uniform(-0.1, 0.1, 3)
         program.line(offset.tolist(), turn.tolist(), zone(20))
     path = path_of(program, UNSMOOTHED)
-    cells = cells_of(path, LIMITS, 0.0)
-    theirs = planning.toppra_duration(path, LIMITS, cells)
-    problem = problem_of(path, cells, LIMITS)
+    cells = cells_of(path, FULL, 0.0)
+    theirs = planning.toppra_duration(path, FULL, cells)
+    problem = problem_of(path, cells, FULL)
     ours = float(planning.drive_on_cells(problem).times.sum())
     assert ours == pytest.approx(theirs, rel=1e-4)

@@ -32,7 +32,7 @@ from rapidsim.frames.transform import Array
 from rapidsim.json_records.declarations import Key, OrAbsent
 from rapidsim.motion.model import MotionModel
 from rapidsim.motion.robot.robot import Robot
-from rapidsim.motion.timing.axis_limits import model_of, torques_of
+from rapidsim.motion.timing.axis_limits import constants_of, model_of, torques_of
 from rapidsim.simulation.options import RunOptions
 from rapidsim.simulation.results.simulation import End, RobotRun
 from rapidsim.simulation.simulate import simulate
@@ -229,8 +229,9 @@ def _parameters(robot: Robot, model: MotionModel) -> tuple[_Parameter, ...]:
     """Parameters to fit for an arm, without accelerations that the station file defines."""
     found: list[_Parameter] = []
     arms = torques_of(robot, model)
-    for arm in arms:
-        measured = arm.dynamics.torques.measured
+    measured = constants_of(robot, model).is_measured
+    own = model_of(robot, model)
+    for _ in arms:
         spread = _MEASURED_SPREAD if measured else _PRIOR_SPREAD
         found += [
             _Parameter(
@@ -254,7 +255,6 @@ def _parameters(robot: Robot, model: MotionModel) -> tuple[_Parameter, ...]:
         found.append(
             _time("acceleration_time", model.acceleration_time, 0.08, _with_acceleration_time)
         )
-    own = model_of(robot, model)
     found += [
         _time("filter_time", own.window, 0.042, _with_filter_time),
         _time("fine_dwell", own.fine_dwell or 0.0, 0.05, _with_fine_dwell),
@@ -262,7 +262,13 @@ def _parameters(robot: Robot, model: MotionModel) -> tuple[_Parameter, ...]:
     if model.version != "1":
         found.append(
             _Parameter(
-                "zone_share", "motion", "zone_share", model.zone_share, 0.15, 0.1, _with_zone_share
+                "zone_share",
+                "motion",
+                "zone_share",
+                own.share_in_zones,
+                0.15,
+                0.1,
+                _with_zone_share,
             )
         )
     return tuple(found)

@@ -17,6 +17,7 @@ from rapidsim.cli.terminal import (
     terminal_options,
 )
 from rapidsim.files import InputError
+from rapidsim.jobs.running.picking_cycle import picking_cycle
 from rapidsim.json_records.encoding import json_of
 from rapidsim.motion.robot.catalogue import aliases_of, robot_names
 from rapidsim.motion.robot.robot import load_robot
@@ -31,6 +32,7 @@ from rapidsim.report.tables.robot_records import (
 )
 from rapidsim.report.tables.robot_tables import (
     catalogue_table,
+    cycle_page,
     robot_page,
     workspace_page,
 )
@@ -55,6 +57,11 @@ class RobotsOptions:
         is_flag=True,
         help="Also show the volume that the arm reaches, and a section of it.",
     )
+    cycle: bool = option(
+        "--cycle",
+        is_flag=True,
+        help="Also run the picking cycle of data sheets, 25-300-25 mm, and show its time.",
+    )
     plots: str | None = option(
         "--plots", metavar="DIR", help="With --workspace: write a picture of the section."
     )
@@ -74,7 +81,7 @@ def robots(options: RobotsOptions) -> int:
     stored configuration; a tie goes to the arm that comments, files, folders, stations or a
     backup name. For targets with seven axes, only arms with seven axes.
     """
-    details = options.table or options.workspace or options.scale
+    details = options.table or options.workspace or options.cycle or options.scale
     if options.program is not None:
         if options.name is not None or details or options.plots:
             raise InputError("--for ranks all arms", "it goes with --format only")
@@ -85,7 +92,7 @@ def robots(options: RobotsOptions) -> int:
     if options.name is not None:
         return _show_robot(options.name, options)
     if details:
-        raise InputError("--table, --workspace and --scale are for one robot", "name it")
+        raise InputError("--table, --workspace, --cycle and --scale are for one robot", "name it")
     _show_catalogue(options.output_format)
     return ExitCode.CLEAN
 
@@ -96,13 +103,15 @@ def _show_robot(name: str, options: RobotsOptions) -> ExitCode:
     robot = open_robot(name, options.scale)
     short = aliases_of(robot.name)
     reached = workspace_of(robot) if options.workspace else None
+    cycle = picking_cycle(robot) if options.cycle else None
     if is_json:
         tables = axis_tables(robot) if options.table else None
-        print_json(json_of(robot_page_record(robot, short, tables, reached)))
+        print_json(json_of(robot_page_record(robot, short, tables, reached, cycle)))
     else:
         terminal.show(robot_page(robot, short))
         pages = [axis_tables_page(robot)] if options.table else []
         pages += [] if reached is None else [workspace_page(reached)]
+        pages += [] if cycle is None else [cycle_page(robot, cycle)]
         for page in pages:
             echo("")
             terminal.show(page)

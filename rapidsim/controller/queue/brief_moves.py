@@ -45,4 +45,4 @@ def with_less_torque(queued: QueuedMove) -> None:
 
 def _waits(model: MotionModel) -> bool:
     """Whether the arm may move on before it is quite at rest."""
-    return model.version != "1" and model.smoothing == "axes"
+    return model.version == "3" and model.smoothing == "axes"

@@ -101,7 +101,7 @@ class Kinematics(Protocol):
         return None
 
     def stance(self, joints: Array) -> Array:
-        """Return link directions (k, 4) at joints (k, n) [rad]; see `PathRates`. 0 if unknown."""
+        """Return link directions (k, 4) at joints (k, n) [rad]; see `PathRates`; 0 if unknown."""
         return np.zeros((len(joints), 4))
 
     @property

@@ -41,7 +41,8 @@ class PathRates:
     stance: Array
     """Shape (k, 4 a): directions of lower arm and forearm of each of the a arms in its vertical
     plane, on which its inertia depends: sine and cosine of the angle from straight up of the lower
-    arm, then of the forearm; zeros for arms that are not ortho-parallel."""
+    arm, then of the forearm; of a SCARA sine and cosine of joint 2, then zeros; of other arms
+    without meaning."""
 
     @staticmethod
     def not_filled(count: int, axes: int) -> PathRates:

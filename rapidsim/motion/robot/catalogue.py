@@ -27,7 +27,18 @@ from rapidsim.motion.kinematics.closed_form.opw_geometry import JOINT_COUNT, Opw
 from rapidsim.motion.kinematics.closed_form.palletizer import Palletizer, PalletizerGeometry
 from rapidsim.motion.kinematics.closed_form.scara import Scara, ScaraGeometry
 from rapidsim.motion.kinematics.numerical.revolute_chain import AxisRowGeometry, searched_arm
-from rapidsim.motion.robot.dynamics import Dynamics, Torques, prior
+from rapidsim.motion.robot.known_constants import (
+    MeasuredConstants,
+    PublishedAccelerations,
+    PublishedTorques,
+    ReferenceCycle,
+    inertia_shape,
+    measured_constants,
+    published_accelerations,
+    published_torques,
+    reference_cycle,
+)
+from rapidsim.motion.robot.scaled_torques import InertiaShape
 from rapidsim.motion.robot.structures import Geometry, geometry_from_table
 from rapidsim.shipped import shipped
 from rapidsim.values import value_class
@@ -60,8 +71,17 @@ class CatalogueEntry:
     """[rad/s]; None where no source has it."""
     max_accelerations: tuple[float | None, ...]
     """[rad/s2], for version 1 of the motion model; None unless measured."""
-    torques: Torques | None
+    measured: MeasuredConstants | None
     """None unless measured."""
+    shape: InertiaShape | None
+    """Shape of the inertia; None unless a drawing of the arm shows it."""
+    torques: PublishedTorques | None
+    """None unless published."""
+    accelerations: PublishedAccelerations | None
+    """None unless published."""
+    picking: ReferenceCycle | None
+    unconfirmed_speeds: tuple[float, ...]
+    """Axis speeds in RAPID's units that no source confirms, for the user to check; or empty."""
     payload_kg: float | None
     reach_m: float | None
     sources: tuple[str, ...]
@@ -203,21 +223,6 @@ def kinematics_of(entry: CatalogueEntry) -> Kinematics:
             return searched_arm(geometry, entry.limits)
 
 
-def dynamics_of(entry: CatalogueEntry) -> Dynamics | None:
-    """Torque limits of the main axes of an arm: measured, else scaled from measured ABB arms.
-
-    None if neither is known: for arms of other makers and kinds, and those without axis speeds.
-    """
-    if not isinstance(entry.geometry, OpwGeometry):
-        return None
-    if entry.torques is not None:
-        return Dynamics(entry.torques, entry.geometry)
-    speeds = tuple(speed for speed in entry.max_speeds if speed is not None)
-    if entry.maker != "ABB" or entry.reach_m is None or len(speeds) != JOINT_COUNT:
-        return None
-    return Dynamics(prior(entry.geometry, speeds, entry.reach_m), entry.geometry)
-
-
 def arm_from_geometry(geometry: OpwGeometry) -> OrthoParallel:
     """Return the arm with link frames that are parallel to the base with all joints at 0.
 
@@ -250,7 +255,14 @@ def _entry(table: Mapping[str, Any], folder: Path) -> CatalogueEntry:
         limits=tuple((radians(lower), radians(upper)) for lower, upper in map(_limits, joints)),
         max_speeds=_radians(joints, "max_speed_deg_s", "max_speed_mm_s"),
         max_accelerations=_radians(joints, "max_acceleration_deg_s2", "max_acceleration_mm_s2"),
-        torques=_torques(table["dynamics"]) if "dynamics" in table else None,
+        measured=measured_constants(table["dynamics"]) if "dynamics" in table else None,
+        shape=inertia_shape(table["shape"]) if "shape" in table else None,
+        torques=published_torques(table["torques"]) if "torques" in table else None,
+        accelerations=(
+            published_accelerations(table["accelerations"]) if "accelerations" in table else None
+        ),
+        picking=reference_cycle(table["picking_cycle"]) if "picking_cycle" in table else None,
+        unconfirmed_speeds=tuple(table.get("unconfirmed_speeds", ())),
         payload_kg=table.get("payload_kg"),
         reach_m=table.get("reach_m"),
         sources=tuple(table["sources"]),
@@ -260,25 +272,6 @@ def _entry(table: Mapping[str, Any], folder: Path) -> CatalogueEntry:
         not_modelled=tuple(table.get("not_modelled", ())),
         link_excess_m=tuple(1e-3 * excess for excess in table.get("link_excess_mm", ())),
         folder=folder,
-    )
-
-
-def _torques(table: Mapping[str, Any]) -> Torques:
-    """Return the measured torques in the table [dynamics] of an arm."""
-    w4, w5, w6 = (radians(one) for one in table["wrist_deg_s2"])
-    return Torques(
-        **{name: table[name] for name in ("i1", "rod", "point", "x", "z", "c", "d", "e", "kappa")},
-        delta=radians(table["delta_deg"]),
-        n33=table["n33"],
-        wrist=(w4, w5, w6),
-        filter_time=table["filter_time_s"],
-        fine_dwell=table["fine_dwell_s"],
-        measured=True,
-        wrist_in_zones=(
-            (table["wrist_zone_share"], table["wrist_zone_cycles"])
-            if "wrist_zone_share" in table
-            else None
-        ),
     )
 
 

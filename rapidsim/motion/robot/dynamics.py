@@ -1,4 +1,4 @@
-"""Torque limits of axes 1 to 3 of an arm, with its posture-dependent inertia.
+"""Torque limits of axes 1 to 3 of an arm with an elbow, with its posture-dependent inertia.
 
 A controller limits torques, not accelerations. Each torque is divided by its limit, so that the
 range is +-1; for the wrist axes constant accelerations suffice. With q2 and q3 as ABB counts them
@@ -12,7 +12,9 @@ range is +-1; for the wrist axes constant accelerations suffice. With q2 and q3 
     r = a1 + c2 s2 + x cos(phi) + z sin(phi)
     n22 = c + d cos(q3 - delta),   n23 = e + (d / 2) cos(q3 - delta),   h = -(d / 2) sin(q3 - delta)
 
-Gravity and friction are neglected; gravity takes 14 % of axis 3 of a large arm.
+Friction is neglected, and so is gravity, which takes 14 % of axis 3 of a large arm. On arms whose
+drives are weak against their weight it counts (`Gravity`): an arm that lifts with 1 - g of a torque
+brakes with 1 + g, which together last as long as 1 - g^2 both ways. That mean is the limit here.
 
 Source: published tables of peak accelerations of two arms over their working range, which this law
 reproduces within 6 and 9 %; on logs of straight moves both torques stay on plateaus of 0.95 to
@@ -21,8 +23,7 @@ reproduces within 6 and 9 %; on logs of straight moves both torques stay on plat
 
 from __future__ import annotations
 
-from math import atan2
-from typing import NamedTuple
+from typing import NamedTuple, Protocol
 
 import numpy as np
 
@@ -32,8 +33,9 @@ from rapidsim.values import value_class
 
 _POINT_OF_RATED_LOAD = 1.3
 """Effective mass of the forearm in units of the rated payload: 0.9 to 1.8. Assumed."""
-PRIOR_FACTOR = 1.5
-"""Factor within which the accelerations of an arm without measurements are right."""
+
+_LEAST_REMAINING = 0.1
+"""Share of a torque that always remains beside gravity."""
 
 
 @value_class(frozen=True, slots=True)
@@ -60,16 +62,64 @@ class Torques:
     n33: float
     wrist: tuple[float, float, float]
     """Accelerations of axes 4 to 6 [rad/s2]."""
-    filter_time: float
-    """Width [s] of the smoothing of the command."""
-    fine_dwell: float
-    """Time [s] at a stop point from the end of the command to the start of the next."""
-    measured: bool
-    """Whether these constants were measured on the arm, else scaled from others."""
     wrist_in_zones: tuple[float, float] | None = None
     """Behaviour of the wrist in zones according to logs: the share of its accelerations in a narrow
-    zone, as a factor on that of the main axes (`MotionModel.zone_share`), and the number of cycles
-    whose travel widens the zone (`MotionModel.zone_cycles`). None: as for the main axes."""
+    zone, as a factor on that of the main axes (`MotionConstants.zone_share`), and the number of
+    cycles whose travel widens the zone (`MotionModel.zone_cycles`). None: as for the main axes."""
+
+
+@value_class(frozen=True, slots=True)
+class Gravity:
+    """Shares of the torques that hold the arm against gravity."""
+
+    lower: float
+    """Share of axis 2 for the level lower arm with the elbow at its end."""
+    fore: float
+    """Share of axis 3 for the level forearm."""
+    load: float
+    """Share of axis 2 for the rated payload [1/m], by its horizontal distance."""
+
+
+class Dynamics(Protocol):
+    """Dynamics of an arm in terms of its torques."""
+
+    def rows(self, stance: Array, first: Array, second: Array, load: Array) -> tuple[Array, Array]:
+        """Return shares of the torques of axes 1 to 3 per path acceleration and squared path speed.
+
+        Args:
+            stance: Shape (k, 4); see `PathRates`.
+            first: First derivatives of the joints (k, 3) along the path [rad/m].
+            second: Second derivatives (k, 3) [rad/m2].
+            load: Load at the wrist (k,), as a share of the rated payload.
+
+        Returns:
+            Slope (k, 3) [s2/m] and bend (k, 3) [s2/m2].
+        """
+        ...
+
+    def shares(self, stance: Array, rates: Array, changes: Array, load: Array) -> Array:
+        """Torques (k, 3), divided by their limits, for joint rates and accelerations (k, 3)."""
+        ...
+
+    @property
+    def least_accelerations(self) -> tuple[float, float, float]:
+        """Accelerations [rad/s2] of axes 1 to 3, each alone, in the worst (stretched) posture."""
+        ...
+
+    @property
+    def torque_axes(self) -> int:
+        """Number of axes that torques limit; the others up to axis 3 have accelerations."""
+        return 3
+
+    @property
+    def wrist(self) -> tuple[float, ...]:
+        """Accelerations [rad/s2] of the axes after the third."""
+        ...
+
+    @property
+    def wrist_in_zones(self) -> tuple[float, float] | None:
+        """See `Torques.wrist_in_zones`."""
+        return None
 
 
 class _Inertia(NamedTuple):
@@ -85,32 +135,45 @@ class _Inertia(NamedTuple):
 
 
 @value_class(frozen=True, slots=True)
-class Dynamics:
-    """Dynamics of an ortho-parallel arm in terms of its torques."""
+class ElbowDynamics(Dynamics):
+    """Dynamics of an arm whose axes 2 and 3 are parallel, across axis 1."""
 
     torques: Torques
     geometry: OpwGeometry
+    """Lengths of the arm; of arms without a spherical wrist, those up to axis 5."""
+    gravity: Gravity | None = None
+    """None to neglect it."""
 
     def rows(self, stance: Array, first: Array, second: Array, load: Array) -> tuple[Array, Array]:
-        """Return shares of the torques of axes 1 to 3 per path acceleration and squared path speed.
-
-        Args:
-            stance: Shape (k, 4); see `PathRates`.
-            first: First derivatives of the joints (k, 3) along the path [rad/m].
-            second: Second derivatives (k, 3) [rad/m2].
-            load: Load at the wrist (k,), as a share of the rated payload.
-
-        Returns:
-            Slope (k, 3) [s2/m] and bend (k, 3) [s2/m2].
-        """
+        """Slope and bend (k, 3); see `Dynamics`."""
         inertia = self._inertia(stance, load)
         slope, bend = self._against(inertia, first), self._against(inertia, second)
-        return slope, bend + self._of_speeds(inertia, first)
+        bend += self._of_speeds(inertia, first)
+        if self.gravity is None:
+            return slope, bend
+        remaining = self._remaining(self.gravity, stance, load)
+        return slope / remaining, bend / remaining
 
     def shares(self, stance: Array, rates: Array, changes: Array, load: Array) -> Array:
-        """Torques (k, 3), divided by their limits, for joint rates and accelerations (k, 3)."""
+        """Shares of the torques (k, 3); see `Dynamics`."""
         inertia = self._inertia(stance, load)
-        return self._against(inertia, changes) + self._of_speeds(inertia, rates)
+        shares = self._against(inertia, changes) + self._of_speeds(inertia, rates)
+        if self.gravity is None:
+            return shares
+        return shares / self._remaining(self.gravity, stance, load)
+
+    def _remaining(self, gravity: Gravity, stance: Array, load: Array) -> Array:
+        """Return the shares (k, 3) of the torques that accelerate, both ways on average."""
+        t, g = self.torques, self.geometry
+        s2, _, cos_phi, fore_up = stance.T
+        sin_phi = -fore_up
+        wrist = load * (g.c3 * cos_phi - g.a2 * sin_phi)
+        level = (t.x * cos_phi + t.z * sin_phi) / np.hypot(t.x, t.z)
+        third = gravity.fore * level + t.kappa * gravity.load * wrist
+        second = gravity.lower * s2 + third / t.kappa + gravity.load * load * (g.a1 + g.c2 * s2)
+        remaining: Array = np.ones((len(stance), 3))
+        remaining[:, 1], remaining[:, 2] = 1.0 - second**2, 1.0 - third**2
+        return np.maximum(remaining, _LEAST_REMAINING)
 
     def _inertia(self, stance: Array, load: Array) -> _Inertia:
         t, g = self.torques, self.geometry
@@ -174,46 +237,23 @@ class Dynamics:
         return signs[0] * j1, signs[1] * j2, signs[2] * (j3 + coupling * j2)
 
     @property
+    def wrist(self) -> tuple[float, ...]:
+        """Accelerations of the axes after the third."""
+        return self.torques.wrist
+
+    @property
+    def wrist_in_zones(self) -> tuple[float, float] | None:
+        """See `Torques.wrist_in_zones`."""
+        return self.torques.wrist_in_zones
+
+    @property
     def least_accelerations(self) -> tuple[float, float, float]:
-        """Accelerations [rad/s2] of axes 1 to 3, each alone, in the worst (stretched) posture."""
+        """Accelerations of axes 1 to 3 of the stretched arm."""
         t, g = self.torques, self.geometry
         r = g.a1 + g.c2 + t.x
         n11 = t.i1 + t.rod * ((g.a1 + 0.5 * g.c2) ** 2 + g.c2**2 / 12.0) + t.point * r**2
-        return 1.0 / n11, 1.0 / (t.c + t.d), 1.0 / t.n33
-
-
-def prior(geometry: OpwGeometry, speeds: tuple[float, ...], reach: float) -> Torques:
-    """Return assumed torque constants of an arm without measurements.
-
-    Args:
-        geometry: Lengths of the arm.
-        speeds: Axis speeds [rad/s].
-        reach: Reach of the arm [m].
-
-    Source: shape and scale pooled over the two measured arms, accurate within a factor of 1.5 (one
-    standard deviation 1.3); below 0.6 m and above 3 m of reach it is extrapolated.
-    """
-    g = geometry
-    x, z = 0.68 * g.c3, -1.2 * g.a2
-    n11 = 0.165 * reach / speeds[0]
-    of_point = 3.05 * ((g.a1 + 0.5 * g.c2) ** 2 + g.c2**2 / 12.0) + (g.a1 + g.c2 + x) ** 2
-    point = 0.7 * n11 / of_point
-    n22 = 0.168 * reach / speeds[1]
-    d = 0.3 * n22 / 1.3
-    return Torques(
-        i1=0.3 * n11,
-        rod=3.05 * point,
-        point=point,
-        x=x,
-        z=z,
-        c=n22 / 1.3,
-        d=d,
-        delta=-atan2(x, z),
-        e=0.4 * d,
-        kappa=0.46,
-        n33=0.087 * reach**0.55 / speeds[2],
-        wrist=(speeds[3] / 0.10, speeds[4] / 0.10, speeds[5] / 0.10),
-        filter_time=0.068 * reach**0.35,
-        fine_dwell=0.058 * reach**0.35 + 0.025,
-        measured=False,
-    )
+        second, third = 1.0, 1.0
+        if self.gravity is not None:
+            level = np.array([[1.0, 0.0, 1.0, 0.0]])
+            _, second, third = self._remaining(self.gravity, level, np.zeros(1))[0].tolist()
+        return 1.0 / n11, second / (t.c + t.d), third / t.n33

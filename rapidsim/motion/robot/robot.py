@@ -17,15 +17,19 @@ from rapidsim.motion.kinematics.numerical.revolute_chain import AxisRowGeometry,
 from rapidsim.motion.robot.catalogue import (
     CatalogueEntry,
     RobotError,
-    dynamics_of,
     entry_name,
     find_entry,
     kinematics_of,
     robot_names,
     speed_lender,
 )
-from rapidsim.motion.robot.dynamics import Dynamics
 from rapidsim.motion.robot.external_axes import Axes, ExternalAxis
+from rapidsim.motion.robot.known_constants import ReferenceCycle
+from rapidsim.motion.robot.motion_constants import (
+    MotionConstants,
+    constants_of,
+    constants_of_version_2,
+)
 from rapidsim.values import value_class
 
 __all__ = ["Joint", "Robot", "RobotError", "load_robot", "robot_names"]
@@ -110,8 +114,12 @@ class Robot:
     link_excess_m: tuple[float, ...] = ()
     """Distance [m] by which 95 % of the surface of the maker's links extend at most beyond ours,
     the base first; empty if not compared."""
-    dynamics: Dynamics | None = None
-    """Torque limits of its main axes; None if only axis speeds are known."""
+    constants: MotionConstants = MotionConstants()
+    """Constants of the motion model."""
+    constants_2: MotionConstants = MotionConstants()
+    """Constants of version 2 of the motion model."""
+    picking: ReferenceCycle | None = None
+    """Figure for its picking cycle; None if there is none."""
     external: tuple[ExternalAxis, ...] = ()
     """Axes outside the arm, in the order of their letters; defined in the station file."""
     meshes: LinkMeshes | None = None
@@ -245,7 +253,8 @@ def _from_entry(entry: CatalogueEntry) -> Robot:
             )
         ),
         kinematics=kinematics,
-        dynamics=dynamics_of(entry),
+        constants=constants_of(entry, are_speeds_own=lender is None),
+        constants_2=constants_of_version_2(entry),
         notices=(*_notices(entry), *entry.notices, *lent),
         urdf=entry.urdf,
         payload_kg=entry.payload_kg,
@@ -255,6 +264,7 @@ def _from_entry(entry: CatalogueEntry) -> Robot:
         checks=entry.checks,
         notes=(*entry.notes, *lent),
         not_modelled=entry.not_modelled,
+        picking=entry.picking,
         link_excess_m=entry.link_excess_m,
     )
 
@@ -263,9 +273,11 @@ def _speed_notices(entry: CatalogueEntry, lender: CatalogueEntry | None) -> tupl
     """Return notices about axis speeds taken from another arm."""
     if lender is None:
         return ()
+    speeds = ", ".join(f"{speed:g}" for speed in entry.unconfirmed_speeds)
+    suggested = f"; to be checked, as no source confirms them: [{speeds}]" if speeds else ""
     return (
         f"no source gives the axis speeds of {entry.name}: those of {lender.name} are used "
-        "unless [motion] axis_speed = [...] in rapidsim.toml sets them",
+        f"unless [motion] axis_speed = [...] in rapidsim.toml sets them{suggested}",
     )
 
 

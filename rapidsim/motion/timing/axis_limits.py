@@ -11,6 +11,7 @@ from rapidsim.frames.transform import Array
 from rapidsim.motion.model import MotionModel
 from rapidsim.motion.path.path_derivatives import PathRates
 from rapidsim.motion.robot.dynamics import Dynamics
+from rapidsim.motion.robot.motion_constants import MotionConstants
 from rapidsim.motion.robot.robot import Robot, RobotError
 from rapidsim.values import value_class
 
@@ -36,7 +37,7 @@ class ArmTorques:
     def wrist(self) -> slice:
         """Its wrist axes among all axes."""
         first = self.first_axis + len(self.torque)
-        return slice(first, first + len(self.dynamics.torques.wrist))
+        return slice(first, first + len(self.dynamics.wrist))
 
     def rows(self, rates: PathRates, load: Array) -> tuple[Array, Array]:
         """Return slope and bend (k, 3) at points (k,) with loads (k,); see `AccelerationRows`."""
@@ -61,6 +62,8 @@ class Limits:
     max_acceleration: Array
     """Shape (n + e,) [rad/s2, m/s2]. For axes limited by torques, about the smallest acceleration
     that they allow: a discretisation fine enough for that is fine enough for larger ones."""
+    zone_share: Array
+    """Shape (n + e,): share of the limits of acceleration that is used in a narrow zone."""
     arms: tuple[ArmTorques, ...] = ()
     """Torques that limit main axes instead of an acceleration; empty if there are none."""
 
@@ -81,7 +84,7 @@ def limits_of(robot: Robot, model: MotionModel) -> Limits:
             not one per axis.
     """
     max_speed = _max_speed(robot, model)
-    acceleration = max_speed / model.acceleration_time
+    acceleration = max_speed / _acceleration_times(robot, model)
     if model.acceleration is not None:
         if len(model.acceleration) != len(robot.joints):
             raise RobotError(
@@ -98,24 +101,37 @@ def limits_of(robot: Robot, model: MotionModel) -> Limits:
             ]
         )
     arms = torques_of(robot, model)
+    share = model_of(robot, model).share_in_zones
     for arm in arms:
         acceleration = np.append(
             arm.torque * arm.dynamics.least_accelerations,
-            model.wrist * np.array(arm.dynamics.torques.wrist),
+            model.wrist * np.array(arm.dynamics.wrist),
         )
     return Limits(
         np.append(max_speed, [axis.max_speed for axis in robot.external]),
         np.append(acceleration, [axis.max_acceleration for axis in robot.external]),
+        np.full(len(max_speed) + len(robot.external), share),
         arms,
     )
 
 
 def torques_of(robot: Robot, model: MotionModel) -> tuple[ArmTorques, ...]:
     """Return the torques of an arm under a motion model; empty if accelerations limit its axes."""
-    known = model.version != "1" and model.own_accelerations and model.acceleration is None
-    if robot.dynamics is None or not known:
+    dynamics = constants_of(robot, model).dynamics
+    if dynamics is None or not model.own_accelerations or model.acceleration is not None:
         return ()
-    return (ArmTorques(robot.dynamics, np.array(model.torque)),)
+    return (ArmTorques(dynamics, np.array(model.torque)),)
+
+
+def constants_of(robot: Robot, model: MotionModel) -> MotionConstants:
+    """Return the constants of an arm in a version of the motion model."""
+    match model.version:
+        case "1":
+            return MotionConstants()
+        case "2":
+            return robot.constants_2
+        case "3":
+            return robot.constants
 
 
 def combined_limits(limits: Sequence[Limits]) -> Limits:
@@ -127,16 +143,22 @@ def combined_limits(limits: Sequence[Limits]) -> Limits:
     return Limits(
         np.concatenate([one.max_speed for one in limits]),
         np.concatenate([one.max_acceleration for one in limits]),
+        np.concatenate([one.zone_share for one in limits]),
         tuple(arms),
     )
 
 
 def model_of(robot: Robot, model: MotionModel) -> MotionModel:
-    """Return a motion model in which the known times of an arm replace unset ones."""
-    if robot.dynamics is None:
-        return model
-    torques = robot.dynamics.torques
-    return model.of_arm(torques.filter_time, torques.fine_dwell)
+    """Return a motion model in which the constants of an arm replace unset ones."""
+    own = constants_of(robot, model)
+    return model.of_arm(own.filter_time, own.fine_dwell, own.zone_share)
+
+
+def _acceleration_times(robot: Robot, model: MotionModel) -> Array | float:
+    """Return times [s] in which axes reach their speed: one, or one per axis (n,)."""
+    own = constants_of(robot, model).acceleration_times
+    known = model.own_accelerations and own is not None
+    return np.array(own) if known else model.acceleration_time
 
 
 def _max_speed(robot: Robot, model: MotionModel) -> Array:

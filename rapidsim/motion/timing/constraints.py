@@ -8,7 +8,7 @@ of other quantities alike. A new kind of limit is a new entry in `_SPEEDS` or
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from enum import Enum
 from types import MappingProxyType
 
@@ -198,7 +198,13 @@ def axis_rows(path: Path, places: GridPoints, limits: Limits) -> AccelerationRow
     for arm in limits.arms:
         own_slope, own_bend = arm.rows(places.rates, 0.0 * load)
         slope[:, arm.axes], bend[:, arm.axes] = own_slope / share, own_bend / share
-        torques = [Limiter(Quantity.TORQUE, arm.first_axis + axis) for axis in (1, 2, 3)]
+        torques = [
+            Limiter(
+                Quantity.TORQUE if axis <= arm.dynamics.torque_axes else Quantity.AXIS_ACCELERATION,
+                arm.first_axis + axis,
+            )
+            for axis in (1, 2, 3)
+        ]
         limiters[arm.axes] = torques
         if load.any():
             of_load = arm.rows(places.rates, load)
@@ -207,51 +213,58 @@ def axis_rows(path: Path, places: GridPoints, limits: Limits) -> AccelerationRow
     if more:
         slope = np.concatenate([slope, *(one for one, _ in more)], axis=1)
         bend = np.concatenate([bend, *(one for _, one in more)], axis=1)
-    if path.model.zone_share < 1.0:
-        slope, bend = _in_zones(path, places, limits, slope, bend)
+    if limits.zone_share.min() < 1.0:
+        slope, bend = _in_zones(path, places, limits, limiters, slope, bend)
     return AccelerationRows(tuple(limiters), slope, bend)
 
 
 def _in_zones(
-    path: Path, places: GridPoints, limits: Limits, slope: Array, bend: Array
+    path: Path,
+    places: GridPoints,
+    limits: Limits,
+    limiters: Sequence[Limiter],
+    slope: Array,
+    bend: Array,
 ) -> tuple[Array, Array]:
-    """Return slopes and bends (k, rows), scaled for the reduced limits in zones."""
-    taken = _more_in_zones(path, places, bend, 1.0, path.model.zone_cycles)[:, None]
+    """Return slopes and bends (k, rows) of axes, scaled for the reduced limits in zones."""
+    own = limits.zone_share
+    # Robots that share a path may use different shares; one robot uses one.
+    share = own[:1] if own.min() == own.max() else own[[(one.axis or 1) - 1 for one in limiters]]
+    taken = _more_in_zones(path, places, bend, share, 1.0, path.model.zone_cycles)
     slopes, bends = slope * taken, bend * taken
     for arm in limits.arms:
-        known, wrist = arm.dynamics.torques.wrist_in_zones, arm.wrist
+        known, wrist = arm.dynamics.wrist_in_zones, arm.wrist
         if known is not None:
-            taken = _more_in_zones(path, places, bend[:, wrist], *known)[:, None]
+            taken = _more_in_zones(path, places, bend[:, wrist], own[wrist][:1], *known)
             slopes[:, wrist], bends[:, wrist] = slope[:, wrist] * taken, bend[:, wrist] * taken
     return slopes, bends
 
 
 def _more_in_zones(
-    path: Path, places: GridPoints, bend: Array, part: float, cycles: float
+    path: Path, places: GridPoints, bend: Array, narrow: Array, part: float, cycles: float
 ) -> Array:
-    """Return factors (k,) on the used share of limits in zones, where not all of it is available.
+    """Return factors on the used share of limits in zones, where not all of it is available.
 
     A zone of radius r that is passed at u counts as one of r + n u T, T the interpolation cycle and
-    n `cycles`. The speed used here is the largest that the bend (k, axes) alone would allow. `part`
-    is the share that axes use, relative to the share of the main axes.
+    n `cycles`. The speed used here is the largest that the bend (k, axes) alone would allow. Of the
+    limits in a narrow zone the axes use the share `narrow` (axes,), or (1,) if all use the same;
+    `part` is a factor on it. The result has the shape (k, axes) or (k, 1).
 
     Source: fit to logs of corners of 3 to 30 deg, z1 to z500, at v1000 and more; for the wrist, to
     rotations of 22 deg on straight lines, where nothing else has to accelerate.
     """
-    factors = np.ones(len(places.s))
+    factors = np.ones((len(places.s), len(narrow)))
     radius, extent = path.zone_radius[places.piece], path.zone_extent[places.piece]
     at = np.flatnonzero(radius > 0.0)
-    model = path.model
     piece = places.piece[at]
-    wide = cycles * model.cycle / extent[at]
-    widest = max(_MOST_OF_ZONE, model.zone_share)
-    share = np.minimum(model.zone_share + _GROWTH * np.maximum(radius[at] - _NARROW, 0.0), widest)
-    share *= part
-    bends = np.maximum(np.abs(bend[at]).max(axis=1), _NO_BEND) / share
+    wide = cycles * path.model.cycle / extent[at]
+    more = _GROWTH * np.maximum(radius[at] - _NARROW, 0.0)[:, None]
+    share = part * np.minimum(narrow + more, np.maximum(_MOST_OF_ZONE, narrow))
+    bends = np.maximum((np.abs(bend[at]) / share).max(axis=1), _NO_BEND)
     fastest = (wide + np.sqrt(wide * wide + 4.0 * bends)) / (2.0 * bends)
     fastest = np.minimum(fastest, path.zone_speed[piece])
     fastest = np.minimum(fastest, path.programmed.tcp[path.segment_of(piece)])
-    factors[at] = np.maximum(1.0 / (share * (1.0 + wide * fastest)), 1.0)
+    factors[at] = np.maximum(1.0 / (share * (1.0 + wide * fastest)[:, None]), 1.0)
     return factors
 
 

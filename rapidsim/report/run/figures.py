@@ -14,8 +14,7 @@ from rapidsim.controller.moves.executed_move import CornerKind, ExecutedMove
 from rapidsim.frames.transform import Array
 from rapidsim.motion.configurations.singularities import per_metre
 from rapidsim.motion.geometry.curves import Index
-from rapidsim.motion.robot.dynamics import PRIOR_FACTOR
-from rapidsim.motion.timing.axis_limits import limits_of
+from rapidsim.motion.timing.axis_limits import constants_of, limits_of
 from rapidsim.simulation.results.acceleration_sensitivity import extra_time_s
 from rapidsim.simulation.results.sampling import MOST_EXACT
 from rapidsim.simulation.results.simulation import End, RobotRun, Simulation
@@ -28,8 +27,6 @@ _AT_ONCE = 2_000
 """Number of samples per batch, which bounds the memory."""
 _SLOWEST = 5
 _ON_PATH_MM = 1e-3
-_MEASURED_FACTOR = 1.05
-"""Accelerations of an arm that was measured are right within this factor."""
 _GUESSED_FACTOR = 2.0
 _CUT_SHORT = (End.ERROR, End.TIME_LIMIT)
 
@@ -146,9 +143,9 @@ def _sensitivity(simulation: Simulation) -> tuple[AccelerationSensitivity, ...]:
     """The times with less and more acceleration, which is the assumption that counts most."""
     only = simulation.only
     limits = limits_of(only.robot, simulation.model)
-    either_way = _GUESSED_FACTOR
-    for arm in limits.arms:
-        either_way = _MEASURED_FACTOR if arm.dynamics.torques.measured else PRIOR_FACTOR
+    model = simulation.model
+    has_own = model.own_accelerations and model.acceleration is None
+    either_way = constants_of(only.robot, model).factor if has_own else _GUESSED_FACTOR
     times = []
     for factor in (1.0 / either_way, either_way):
         extra_s = extra_time_s(only.trajectory, limits, factor)

@@ -7,9 +7,8 @@ from collections.abc import Callable, Mapping, Sequence
 
 from rapidsim.json_records.declarations import OrAbsent, Rounded
 from rapidsim.motion.model import Controller, MotionModel
-from rapidsim.motion.robot.dynamics import PRIOR_FACTOR
 from rapidsim.motion.robot.robot import Robot
-from rapidsim.motion.timing.axis_limits import model_of, torques_of
+from rapidsim.motion.timing.axis_limits import constants_of, model_of, torques_of
 from rapidsim.simulation.results.simulation import Simulation
 from rapidsim.values import value_class
 
@@ -107,24 +106,21 @@ def _speed_lender(robot: Robot) -> list[str]:
 
 def _acceleration(model: MotionModel, robot: Robot) -> str:
     """Note on the assumed accelerations of an arm."""
+    own = constants_of(robot, model)
     if torques_of(robot, model):
-        assert robot.dynamics is not None
-        known = (
-            "as measured on this arm"
-            if robot.dynamics.torques.measured
-            else f"scaled from measured arms, accurate within a factor of {PRIOR_FACTOR:g}"
-        )
         factors = (*model.torque, model.wrist)
         fitted = ""
         if factors != (1.0,) * len(factors):
             numbers = ", ".join(f"{factor:g}" for factor in factors)
             fitted = f", times {numbers} as the station file says"
-        return f"torques of axes 1 to 3 and accelerations of the wrist {known}{fitted}"
+        return f"{own.limits_text}{fitted}"
     measured = [a for joint in robot.joints if (a := joint.max_acceleration) is not None]
     if model.acceleration is not None:
         return f"axis accelerations {_degrees(model.acceleration)} {robot.units('/s2')}"
     if model.version == "1" and model.own_accelerations and any(measured):
         return f"axis accelerations {_degrees(measured)} {robot.units('/s2')}, measured on this arm"
+    if model.version == "3" and model.own_accelerations:
+        return own.limits_text
     return f"axis acceleration = axis speed / {model.acceleration_time:g} s"
 
 

@@ -8,8 +8,10 @@ from typing import Annotated, ClassVar
 
 import numpy as np
 
+from rapidsim.jobs.running.picking_cycle import PickingCycle
 from rapidsim.json_records.declarations import OutputRecord, ValueForm
 from rapidsim.motion.kinematics.axis_tables import dh_table_of, screws_of
+from rapidsim.motion.robot.motion_constants import MotionConstants
 from rapidsim.motion.robot.robot import Joint, Robot
 from rapidsim.motion.workspace import ArmWorkspace
 from rapidsim.report.tables.axis_tables import Matrix, matrix_in_mm, plain_numbers
@@ -31,6 +33,24 @@ class JointRecord:
 
 
 @value_class(frozen=True, slots=True)
+class MotionRecord:
+    """Constants of the motion model for an arm."""
+
+    accelerations: str
+    """Torques or accelerations, their basis and accuracy."""
+    factor: float
+    """Factor within which they are right."""
+    cycle_percent: float | None
+    """Percentage within which cycle times near these limits are right; null if unknown."""
+    zone_share: float
+    """Share of these limits that is used in a narrow zone."""
+    filter_time_s: float
+    """Width of the smoothing of the command."""
+    fine_dwell_s: float
+    """Duration of a stop point."""
+
+
+@value_class(frozen=True, slots=True)
 class RobotRecord:
     """An arm of the catalogue."""
 
@@ -43,6 +63,7 @@ class RobotRecord:
     axis_speeds_from: str | None
     """The arm whose axis speeds `joints` gives if no source gives those of this arm."""
     joints: tuple[JointRecord, ...]
+    motion: MotionRecord
     sources: tuple[str, ...]
     checks: tuple[str, ...]
     """Comparisons of the model with published values."""
@@ -135,12 +156,38 @@ class RequestedWorkspace:
 
 
 @value_class(frozen=True, slots=True)
+class CycleRecord:
+    """The picking cycle: 25 mm up, 300 mm across, 25 mm down, and back."""
+
+    load_kg: float
+    position_mm: tuple[float, ...]
+    """Distance from axis 1 and height of its low points."""
+    fly_by_s: float
+    """Time with z10 at the low points."""
+    stop_s: float
+    """Time with `fine` at the low points."""
+    reference_s: float | None
+    """A figure to compare with; null if there is none."""
+    source: str | None
+    """Source of that figure; null if it has none."""
+
+
+@value_class(frozen=True, slots=True)
+class RequestedCycle:
+    """The picking cycle of an arm, if requested."""
+
+    cycle: CycleRecord
+    """With --cycle."""
+
+
+@value_class(frozen=True, slots=True)
 class RobotPageRecord:
     """The object that `rapidsim robots NAME --format json` prints."""
 
     robot: Annotated[RobotRecord, ValueForm.INLINE]
     tables: Annotated[AxisTables | None, ValueForm.INLINE]
     requested: Annotated[RequestedWorkspace | None, ValueForm.INLINE]
+    cycle: Annotated[RequestedCycle | None, ValueForm.INLINE]
 
 
 def robot_page_record(
@@ -148,10 +195,12 @@ def robot_page_record(
     aliases: tuple[str, ...],
     tables: AxisTables | None,
     workspace: ArmWorkspace | str | None,
+    cycle: PickingCycle | None,
 ) -> RobotPageRecord:
-    """The record of one arm, with its tables and its workspace if requested."""
+    """The record of one arm, with its tables, its workspace and its cycle if requested."""
     requested = None if workspace is None else RequestedWorkspace(_workspace(workspace))
-    return RobotPageRecord(robot_record(robot, aliases), tables, requested)
+    cycled = None if cycle is None else RequestedCycle(_cycle(robot, cycle))
+    return RobotPageRecord(robot_record(robot, aliases), tables, requested, cycled)
 
 
 def robot_record(robot: Robot, aliases: tuple[str, ...]) -> RobotRecord:
@@ -165,6 +214,7 @@ def robot_record(robot: Robot, aliases: tuple[str, ...]) -> RobotRecord:
         reach_mm=None if robot.reach_m is None else robot.reach_m * 1000.0,
         axis_speeds_from=robot.axis_speeds_from,
         joints=tuple(map(_joint, robot.joints)),
+        motion=_motion(robot.constants),
         sources=tuple(robot.sources),
         checks=tuple(robot.checks),
         notes=tuple(robot.notes),
@@ -193,6 +243,29 @@ def axis_tables(robot: Robot) -> AxisTables:
             plain_numbers(matrix_in_mm(dh.base)), rows, plain_numbers(matrix_in_mm(dh.flange))
         ),
         ScrewRecord(axes, plain_numbers(matrix_in_mm(screws.base_from_flange))),
+    )
+
+
+def _cycle(robot: Robot, cycle: PickingCycle) -> CycleRecord:
+    known = robot.picking
+    return CycleRecord(
+        load_kg=cycle.load_kg,
+        position_mm=cycle.position_mm,
+        fly_by_s=cycle.fly_by_s,
+        stop_s=cycle.stop_s,
+        reference_s=None if known is None else known.time_s,
+        source=None if known is None else known.source,
+    )
+
+
+def _motion(constants: MotionConstants) -> MotionRecord:
+    return MotionRecord(
+        accelerations=constants.limits_text,
+        factor=constants.factor,
+        cycle_percent=constants.cycle_percent,
+        zone_share=constants.zone_share,
+        filter_time_s=constants.filter_time,
+        fine_dwell_s=constants.fine_dwell,
     )
 
 

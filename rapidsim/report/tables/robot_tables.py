@@ -11,6 +11,7 @@ from rich.padding import Padding
 from rich.table import Table
 from rich.text import Text
 
+from rapidsim.jobs.running.picking_cycle import PickingCycle
 from rapidsim.motion.robot.external_axes import with_unit
 from rapidsim.motion.robot.robot import Joint, Robot
 from rapidsim.motion.workspace import ArmWorkspace
@@ -89,6 +90,30 @@ def workspace_page(workspace: ArmWorkspace | str) -> RenderableType:
     return facts
 
 
+def cycle_page(robot: Robot, cycle: PickingCycle) -> RenderableType:
+    """The picking cycle beside a figure from elsewhere."""
+    facts = Table.grid(padding=(0, 2))
+    facts.add_column(style="cyan", no_wrap=True)
+    facts.add_column()
+    ahead, height = cycle.position_mm
+    percent = robot.constants.cycle_percent
+    within = "" if percent is None else f" ({percent:g} % either way)"
+    facts.add_row(
+        "picking cycle", f"25 mm up, 300 mm across, 25 mm down, and back, {cycle.load_kg:g} kg"
+    )
+    facts.add_row("at", f"{ahead:.0f} mm in front of axis 1, {height:.0f} mm high")
+    facts.add_row("z10", f"{cycle.fly_by_s:.3f} s with z10 at the low points{within}")
+    facts.add_row("fine", f"{cycle.stop_s:.3f} s with `fine` at the low points")
+    known = robot.picking
+    if known is None:
+        facts.add_row("elsewhere", "no figure is known")
+        return facts
+    off = 100.0 * (cycle.fly_by_s / known.time_s - 1.0)
+    origin = "not from a source" if known.source is None else known.source
+    facts.add_row("elsewhere", f"{known.time_s:g} s, {origin}: with z10 we are {off:+.0f} % off")
+    return facts
+
+
 def robot_page(robot: Robot, aliases: Sequence[str]) -> RenderableType:
     """One robot with its axes."""
     facts = Table.grid(padding=(0, 2))
@@ -98,6 +123,13 @@ def robot_page(robot: Robot, aliases: Sequence[str]) -> RenderableType:
     facts.add_row("payload", _payload(robot))
     facts.add_row("reach", _reach(robot))
     facts.add_row("shapes", str(robot.urdf) if robot.urdf else "none")
+    own = robot.constants
+    facts.add_row("motion", own.limits_text)
+    facts.add_row(
+        "",
+        f"smoothing {own.filter_time:.3f} s, dwell at stop points {own.fine_dwell:.3f} s, "
+        f"{100.0 * own.zone_share:.0f} % of these limits in narrow zones",
+    )
     if robot.link_excess_m:
         excess = ", ".join(f"{1000.0 * one:.0f}" for one in robot.link_excess_m)
         facts.add_row("", f"95 % of the maker's surface within {excess} mm of them, base first")

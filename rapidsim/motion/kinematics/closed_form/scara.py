@@ -103,6 +103,12 @@ class Scara(Kinematics):
         """Elbow at a right angle, flange forward and 50 mm below its highest position."""
         return np.radians([-45.0, 90.0, -50.0, 45.0])
 
+    def stance(self, joints: Array) -> Array:
+        """Sine and cosine of joint 2 in the first two columns (k, 4); see `PathRates`."""
+        stance = np.zeros((len(joints), 4))
+        stance[:, 0], stance[:, 1] = np.sin(joints[:, 1]), np.cos(joints[:, 1])
+        return stance
+
     def forward(self, joints: Array) -> Transform:
         """base_from_flange of joint vectors (..., 4) [rad]."""
         return self.link_frames(joints)[..., -1] @ Transform(_DOWN, np.zeros(3))

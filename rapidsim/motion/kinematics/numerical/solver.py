@@ -53,6 +53,14 @@ class Numerical(Kinematics):
         """Initial posture of the near arm; None without a near arm."""
         return None if self.near is None else self.near.arm.posture
 
+    def stance(self, joints: Array) -> Array:
+        """Directions of lower arm and forearm (k, 4) if axes 2 and 3 are along y; see `PathRates`.
+
+        With all joints at 0 the lower arm is upright and the forearm level.
+        """
+        lower, fore = joints[:, 1], joints[:, 1] + joints[:, 2]
+        return np.stack([np.sin(lower), np.cos(lower), np.cos(fore), -np.sin(fore)], axis=-1)
+
     @cached_property
     def starts(self) -> Array:
         """Joint vectors (STARTS, n) [rad] used as seeds in every search."""
