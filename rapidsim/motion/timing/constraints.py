@@ -43,6 +43,9 @@ class Quantity(Enum):
     WORLD_ACCELERATION = "WorldAccLim"
     CYCLE = "interpolation cycle in a zone"
     DURATION = "programmed time"
+    CORNER = "corner"
+    """A slow zone nearby, past which the smoothed motion would be too fast."""
+    RAMP = "AccSet's ramp"
     NOTHING = "nothing"
     """The segment has no length, or is before the start of the timing."""
 
