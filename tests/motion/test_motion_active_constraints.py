@@ -17,6 +17,7 @@ from motion_programs import (
     Programmer,
     path_or_fault,
     programs,
+    zone,
 )
 
 from rapidsim.motion.kinematics.arm import Mask
@@ -26,16 +27,20 @@ from rapidsim.motion.timing.active_constraints import active_limits
 from rapidsim.motion.timing.axis_limits import Limits, limits_of
 from rapidsim.motion.timing.constraints import Limiter, Quantity
 from rapidsim.motion.timing.discretisation import cells_of
+from rapidsim.motion.timing.planning import plan
 from rapidsim.motion.timing.problem import HELD_BEND, Problem, problem_of
 from rapidsim.motion.timing.stages import Stages, _fill_in
 from rapidsim.motion.timing.time_optimal import Division, StageMotion, drive, fastest_drive
 from rapidsim.motion.timing.two_pass import solve
+from rapidsim.motion.trajectory.command import Piece
+from rapidsim.motion.trajectory.trajectory import Trajectory
 
 RAISED = 1.2
 OF_CAPS = (Quantity.CORNER, Quantity.CYCLE)
 """Limits of the command's speed that come from other places or from no row."""
 FEWEST = 4
 """Stages of a stretch."""
+LONG_S = 0.02
 NEARLY = 0.95
 """Share of a limit from which on it may decide soon."""
 
@@ -163,3 +168,32 @@ def test_the_named_limit_decides_alone(
     program: Programmer, model: MotionModel, limits: Limits
 ) -> None:
     assert not list(misnamed(program, model, limits))
+
+
+def limits_in(program: Programmer, model: MotionModel, **options: float) -> set[str]:
+    """The active limits of a program whose segments have some options, without those of moments."""
+    segments = [replace(one, **options) for one in program.segments]  # type: ignore[arg-type]
+    path = path_or_fault(segments, model)
+    assert not isinstance(path, PathFault)
+    timing = plan(path, LIMITS)
+    trajectory = Trajectory(segments[0].start, model.window, model.smoothing)
+    trajectory.append(Piece(0.0, path, timing, 0.0, path.length))
+    (piece,) = trajectory.command.pieces
+    active, took_s = piece.timing.active, np.diff(piece.timing.times)
+    assert active is not None
+    total = np.bincount(active, took_s)
+    return {str(piece.timing.limiters[one]) for one in np.flatnonzero(total > LONG_S).tolist()}
+
+
+def test_a_ramp_is_named_where_it_adds_most_of_the_time() -> None:
+    short = Programmer().line((0.0, 0.02, 0.0))
+    assert "AccSet's ramp" not in limits_in(short, MotionModel())
+    assert "AccSet's ramp" in limits_in(short, MotionModel(), ramp=0.1)
+
+
+def test_a_slow_corner_is_named_before_and_after_it() -> None:
+    # Smoothed along the path, a corner must not be entered faster than it can be passed.
+    model = MotionModel(smoothing="path", filter_time=0.08, accelerations_kept_by="motion")
+    turn = Programmer().line((0.2, 0.0, 0.0), z=zone(10)).line((0.0, 0.2, 0.0))
+    assert "corner" in limits_in(turn, model)
+    assert "corner" not in limits_in(turn, replace(model, smoothing="axes", filter_time=0.0))

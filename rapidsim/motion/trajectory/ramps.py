@@ -36,6 +36,8 @@ _DEVIATION_M = 3e-7
 _MOST_PARTS = 1000
 _ADDED = 0.5
 """Share of the planned speed below which the ramp adds most of the time."""
+_REACHED = 0.95
+"""Share of a maximum speed that counts as reached."""
 _PROBES = np.array([0.25, 0.5, 0.75])
 """Shares of an interval at which the speed is compared with a line."""
 
@@ -237,10 +239,13 @@ class RampedCommand:
 def _active(planned: TimeScaling, s: Array, speeds: Array) -> Index | None:
     """Return the active limit (k,) at positions (k,) [m] that are passed at speeds (k,) [m/s].
 
-    It is the planned one, or, where the ramp adds most of the time, the ramp: the one after these.
+    It is the planned one, or the ramp, after these: where the ramp adds most of the time, or where
+    the planned limit is one of the speed and is not reached.
     """
     if planned.active is None:
         return None
     cell = np.searchsorted(planned.s[1:-1], s, side="right")
-    slow = speeds < _ADDED * planned.speed_at(planned.time_at(s))
-    return np.where(slow, len(planned.limiters), planned.active[cell])
+    active = planned.active[cell]
+    least = np.array([_ADDED if one.is_acceleration else _REACHED for one in planned.limiters])
+    slow = speeds < least[active] * planned.speed_at(planned.time_at(s))
+    return np.where(slow, len(planned.limiters), active)

@@ -7,7 +7,8 @@ of another robot.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections import Counter
+from collections.abc import Iterable, Mapping, Sequence
 from functools import cached_property
 
 import numpy as np
@@ -17,6 +18,7 @@ from rapidsim.frames.transform import Array
 from rapidsim.motion.geometry.curves import Index
 from rapidsim.motion.timing.constraints import Limiter, Quantity
 from rapidsim.motion.trajectory.command import Piece
+from rapidsim.motion.trajectory.trajectory import Trajectory
 from rapidsim.simulation.results.simulation import RobotRun, Simulation
 from rapidsim.values import value_class
 
@@ -29,6 +31,8 @@ class ActiveLimit:
     text: str
     """Such as `torque of axis 2`; if it is of another robot of a team or sets the pace of all, such
     as `TCP speed of T_ROB2, 200 mm/s`."""
+    axis: int | None = None
+    """Axis of its robot, counted from 1; None if the limit is not of a single axis."""
 
 
 _NOTHING = ActiveLimit(Quantity.NOTHING, "")
@@ -38,6 +42,7 @@ _NOTHING = ActiveLimit(Quantity.NOTHING, "")
 class ActiveLimits:
     """Active limits of the motion of a robot in cells (k,), in order."""
 
+    trajectory: Trajectory
     limits: tuple[ActiveLimit, ...]
     places: Array
     """Start of each cell, shape (k,): position S [m] of the run."""
@@ -48,10 +53,11 @@ class ActiveLimits:
     times: Array
     """Duration (k,) [s], without rest."""
 
-    def at(self, places: Array) -> Index:
-        """Return indices (m,) of the active limits at positions S (m,) [m] among `limits`."""
+    def at(self, times: Array) -> Index:
+        """Return indices (m,) of the active limits at times (m,) [s] among `limits`."""
         if not len(self.places):
-            return np.zeros(len(places), dtype=np.int64)
+            return np.zeros(len(times), dtype=np.int64)
+        places = self.trajectory.place_at(times)
         cell = np.searchsorted(self.places[1:], places, side="right")
         found: Index = self.numbers[cell]
         return found
@@ -92,8 +98,31 @@ def active_limits(simulation: Simulation, robot_run: RobotRun) -> ActiveLimits:
         place += piece.to_s - piece.from_s
     if not columns:
         nothing = np.zeros(0, dtype=np.int64)
-        return ActiveLimits(tuple(limits), np.zeros(0), nothing, nothing, np.zeros(0))
-    return ActiveLimits(tuple(limits), *map(np.concatenate, zip(*columns, strict=True)))
+        return ActiveLimits(
+            robot_run.trajectory, tuple(limits), np.zeros(0), nothing, nothing, np.zeros(0)
+        )
+    return ActiveLimits(
+        robot_run.trajectory, tuple(limits), *map(np.concatenate, zip(*columns, strict=True))
+    )
+
+
+def limits_of_moves(simulation: Simulation) -> Mapping[int, str]:
+    """Return the limit that is active for most of the time of each move that takes time.
+
+    Moves have their numbers in `Simulation.moves`.
+    """
+    return {
+        offset + number: text
+        for robot, offset in zip(simulation.robots, simulation.move_offsets, strict=True)
+        for number, text in enumerate(active_limits(simulation, robot).of_moves)
+        if text
+    }
+
+
+def most_frequent(limits: Mapping[int, str], moves: Iterable[int]) -> str:
+    """Return the limit of most of some moves; empty if none is known."""
+    counted = Counter(limits[number] for number in moves if number in limits)
+    return next((text for text, _ in counted.most_common(1)), "")
 
 
 def _team_of(
@@ -119,14 +148,13 @@ def _limit(
     limiter: Limiter, segment: int, robot_run: RobotRun, team: Sequence[tuple[RobotRun, Piece]]
 ) -> ActiveLimit:
     """Return the limit of a segment of a piece, from the point of view of one robot of a team."""
-    text = str(limiter)
+    text, axis = str(limiter), limiter.axis
     if limiter.robot is not None:
         setter, piece = team[limiter.robot]
         move = setter.move(piece.first + segment)
         if move is not None:
             text = f"{limiter} of {setter.task}, {_programmed(limiter.quantity, move)}"
-    elif limiter.axis is not None and len(team) > 1:
-        axis = limiter.axis
+    elif axis is not None and len(team) > 1:
         for robot, piece in team:
             own = piece.path.axis_count
             if axis <= own:
@@ -134,7 +162,7 @@ def _limit(
                 text = own_text if robot is robot_run else f"{own_text} of {robot.task}"
                 break
             axis -= own
-    return ActiveLimit(limiter.quantity, text)
+    return ActiveLimit(limiter.quantity, text, axis)
 
 
 def _programmed(quantity: Quantity, move: ExecutedMove) -> str:

@@ -81,7 +81,8 @@ def _of_robot(simulation: Simulation, robot_run: RobotRun, offset: int) -> Itera
     moving = np.abs(run.joint_speed).max(axis=1) > 0.0
     below = moving & (share < _REACHED)
     active = active_limits(simulation, robot_run)
-    limits = active.at(robot_run.trajectory.place_at(times))
+    limits = active.at(times)
+    unreached = np.array([one.text == Quantity.TCP_SPEED.value for one in active.limits])
     quantities = list(Quantity)
     kinds = np.array([quantities.index(one.quantity) for one in active.limits])[limits]
     # Samples at rest are omitted.
@@ -93,6 +94,9 @@ def _of_robot(simulation: Simulation, robot_run: RobotRun, offset: int) -> Itera
     for begin, end in _joined(pieces, moving, times):
         rows = np.arange(begin, end)[below[begin:end]]
         held = np.bincount(limits[rows], widths[rows], minlength=len(active.limits))
+        # What is below the programmed speed is smoothed: the command has reached it.
+        others = np.where(unreached, 0.0, held)
+        held = others if others.any() else held
         first, last = robot_run.moves[int(move[begin])], robot_run.moves[int(move[end - 1])]
         if end == begin + 1:
             continue
