@@ -29,8 +29,8 @@ class ActiveLimit:
 
     quantity: Quantity
     text: str
-    """Such as `torque of axis 2`; if it is of another robot of a team or sets the pace of all, such
-    as `TCP speed of T_ROB2, 200 mm/s`."""
+    """Name such as `torque of axis 2`; if it is of another robot of a team or sets the pace of all,
+    such as `TCP speed of T_ROB2, 200 mm/s`."""
     axis: int | None = None
     """Axis of its robot, counted from 1; None if the limit is not of a single axis."""
 
