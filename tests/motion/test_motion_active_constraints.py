@@ -20,6 +20,7 @@ from motion_programs import (
     zone,
 )
 
+from rapidsim.motion.interruption import undisturbed
 from rapidsim.motion.kinematics.arm import Mask
 from rapidsim.motion.model import MotionModel
 from rapidsim.motion.path.curve_following import PathFault
@@ -29,6 +30,7 @@ from rapidsim.motion.timing.constraints import Limiter, Quantity
 from rapidsim.motion.timing.discretisation import cells_of
 from rapidsim.motion.timing.planning import plan
 from rapidsim.motion.timing.problem import HELD_BEND, Problem, problem_of
+from rapidsim.motion.timing.ramped_drive import ramped_drive
 from rapidsim.motion.timing.stages import Stages, _fill_in
 from rapidsim.motion.timing.time_optimal import Division, StageMotion, drive, fastest_drive
 from rapidsim.motion.timing.two_pass import solve
@@ -36,7 +38,7 @@ from rapidsim.motion.trajectory.command import Piece
 from rapidsim.motion.trajectory.trajectory import Trajectory
 
 RAISED = 1.2
-OF_CAPS = (Quantity.CORNER, Quantity.CYCLE)
+OF_CAPS = (Quantity.CORNER, Quantity.CYCLE, Quantity.RAMP)
 """Limits of the command's speed that come from other places or from no row."""
 FEWEST = 4
 """Stages of a stretch."""
@@ -104,11 +106,10 @@ def time_in(
     other = raised(problem, limits)
     stages = motion.stages
     parts = stages_like(stages, other)
-    fast = drive(other, replace(division, stages=parts), 0.0)
     caps = motion.caps.copy()
     nodes = slice(stretch.first, stretch.after + 1)
     if stretch.limit.quantity not in OF_CAPS:
-        caps[nodes] = fast.caps[nodes]
+        caps[nodes] = drive(other, replace(division, stages=parts), 0.0).caps[nodes]
     elif stretch.limit in limits:
         caps[nodes] *= RAISED**2
     inside = np.zeros(len(stages.cell), dtype=bool)
@@ -135,16 +136,23 @@ def stages_like(stages: Stages, problem: Problem) -> Stages:
     return copied
 
 
-def misnamed(program: Programmer, model: MotionModel, limits: Limits) -> Iterator[str]:
-    """Yield the stretches whose named limit is not the one that decides."""
-    path = path_or_fault(program, model)
+def misnamed(
+    program: Programmer, model: MotionModel, limits: Limits, ramp: float = 1.0
+) -> Iterator[str]:
+    """Yield the stretches whose named limit is not the one that decides; with a ramp, of these."""
+    segments = [replace(one, ramp=ramp, stop_ramp=ramp) for one in program.segments]
+    path = path_or_fault(segments, model)
     if isinstance(path, PathFault):
         return
     problem = problem_of(path, cells_of(path, limits, 0.0), limits)
     division, motion = fastest_drive(problem, 0.0)
+    if ramp < 1.0:
+        motion = ramped_drive(problem, division, 0.0, undisturbed)
     every = {*problem.speeds.limiters, *problem.accelerations.limiters}
     before_s = float(motion.times.sum())
     for stretch in stretches(problem, motion):
+        if ramp < 1.0 and stretch.limit.quantity is not Quantity.RAMP:
+            continue
         took_s = float(motion.times[stretch.first : stretch.after].sum())
         own = before_s - time_in(problem, division, motion, stretch, {stretch.limit})
         others = before_s - time_in(problem, division, motion, stretch, every - {stretch.limit})
@@ -168,6 +176,12 @@ def test_the_named_limit_decides_alone(
     program: Programmer, model: MotionModel, limits: Limits
 ) -> None:
     assert not list(misnamed(program, model, limits))
+
+
+@examples(60)
+@given(program=programs())
+def test_a_ramp_decides_alone_where_it_holds_the_speed(program: Programmer) -> None:
+    assert not list(misnamed(program, MotionModel(), LIMITS, ramp=0.3))
 
 
 def limits_in(program: Programmer, model: MotionModel, **options: float) -> set[str]:
