@@ -12,6 +12,7 @@ import numpy as np
 from rapidsim.frames.transform import Array
 from rapidsim.motion.path.path import Path
 from rapidsim.motion.timing.axis_limits import Limits
+from rapidsim.motion.timing.constraints import Limiter, Quantity
 from rapidsim.motion.timing.discretisation import cells_of
 from rapidsim.motion.timing.problem import problem_of
 from rapidsim.motion.timing.stages import Stages
@@ -58,7 +59,8 @@ def stop_at(
     # Near the end of the interval, the interval itself makes the arm brake.
     if nodes[-1] > timing.s_at(time_s + 0.5 * _AFTER_S) and after_s < timing.duration:
         nodes, x = _braked(path, limits, s, speed, hardest, (0.0, path.length))
-    return TimeScaling(nodes, np.sqrt(x), 0.0)
+    active = np.zeros(len(nodes) - 1, dtype=np.int64)
+    return TimeScaling(nodes, np.sqrt(x), 0.0, (Limiter(Quantity.STOP),), active)
 
 
 def _braked(

@@ -46,6 +46,7 @@ class Quantity(Enum):
     CORNER = "corner"
     """A slow zone nearby, past which the smoothed motion would be too fast."""
     RAMP = "AccSet's ramp"
+    STOP = "stop on the path"
     NOTHING = "nothing"
     """The segment has no length, or is before the start of the timing."""
 
