@@ -10,6 +10,7 @@ from types import MappingProxyType
 
 from rapidsim.controller.moves.executed_move import ExecutedMove
 from rapidsim.language.moves import Interpolation
+from rapidsim.motion.timing.constraints import Quantity
 from rapidsim.simulation.results import move_kinds
 from rapidsim.simulation.results.move_kinds import MOVE_KINDS
 
@@ -97,3 +98,10 @@ def rgba(colour: Colour, alpha: int = 255) -> int:
     """Return a colour as the number 0xRRGGBBAA; short lists of numbers are ambiguous to rerun."""
     red, green, blue = colour
     return red << 24 | green << 16 | blue << 8 | alpha
+
+
+def of_limit(quantity: Quantity, axis: int | None) -> Colour:
+    """Return the colour of an active limit: that of its axis, if it is one of a single axis."""
+    if axis is not None:
+        return JOINTS[(axis - 1) % len(JOINTS)]
+    return {Quantity.TCP_SPEED: TCP_SPEED, Quantity.CORNER: CORNER}.get(quantity, WARNED)

@@ -222,3 +222,13 @@ def test_what_an_egm_client_writes_is_read(tmp_path: Path) -> None:
     assert len(log.times) == 12
     assert log.times[1] == pytest.approx(0.004)
     assert log.joints[2] == pytest.approx([2, 0, 0, 0, 0, 1.5])
+
+
+def test_rows_of_a_wait_where_a_line_turns_back_do_not_count() -> None:
+    """Both ways are as near there but for the chords between positions."""
+    down = "MoveL Offs(home, 0, 0, -31.4), v200, fine, tool0;"
+    up = "MoveL Offs(home, 0, 0, 0), v1000, z10, tool0;"
+    beside = "MoveL Offs(home, 0, 70.3, 0), v1000, fine, tool0;"
+    picked = _logged(f"\n    {down}\n    WaitTime 0.3;\n    {up}\n    {beside}")
+    rows = fit._rows(picked, ROBOT, TRUTH, 7)
+    assert np.abs(fit._misses(rows, ROBOT, TRUTH)).max() < 1e-4

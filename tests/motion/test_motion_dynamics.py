@@ -15,6 +15,7 @@ from rapidsim.frames.transform import Array
 from rapidsim.motion.model import MODELS, MotionModel
 from rapidsim.motion.robot.dynamics import ElbowDynamics
 from rapidsim.motion.robot.robot import Robot, load_robot, robot_names
+from rapidsim.motion.timing.active_constraints import limiters_of_segments
 from rapidsim.motion.timing.axis_limits import combined_limits, limits_of, model_of
 from rapidsim.motion.timing.planning import plan
 
@@ -187,7 +188,7 @@ def test_a_line_outwards_is_held_back_by_the_torque_of_axis_2() -> None:
     model = model_of(robot, MotionModel())
     path = path_of(program, model=model)
     timing = plan(path, limits_of(robot, model))
-    assert str(timing.limited_by[1]) == "torque of axis 2"
+    assert str(limiters_of_segments(path, timing)[1]) == "torque of axis 2"
 
 
 @examples(20)

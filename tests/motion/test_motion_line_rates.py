@@ -34,8 +34,8 @@ from rapidsim.motion.path.curve_following import PathFault
 from rapidsim.motion.path.path import Path
 from rapidsim.motion.path.path_derivatives import PathRates
 from rapidsim.motion.robot.robot import load_robot
-from rapidsim.motion.timing import active_constraints, smoothed_speed_loops, stages, two_pass_loops
 from rapidsim.motion.timing import smoothed_speed_limits as held_speeds_module
+from rapidsim.motion.timing import smoothed_speed_loops, stages, two_pass_loops
 from rapidsim.motion.timing.constraints import acceleration_rows
 from rapidsim.motion.timing.discretisation import GridPoints, cells_of
 from rapidsim.motion.timing.planning import plan
@@ -194,22 +194,15 @@ def test_loops_over_a_motion_do_what_columns_do(program: Programmer) -> None:
                 patch.setattr(
                     stages, "jit_function", lambda _, name, rows: vars(two_pass_loops)[name]
                 )
-                patch.setattr(
-                    active_constraints,
-                    "jit_function",
-                    lambda _, name, rows: vars(two_pass_loops)[name],
-                )
             both.append(
                 (
                     stages.loads(motion.stages, cells, rows, motion.x),
                     stages.fastest(motion.stages, cells, problem.slowness),
-                    active_constraints.limiters_of(problem, motion),
                 )
             )
     columns, loops = both
     assert loops[0] == pytest.approx(columns[0], rel=1e-12, abs=1e-12)
     assert loops[1] == pytest.approx(columns[1], rel=1e-12)
-    assert loops[2] == columns[2]
 
 
 def long_program() -> Programmer:
@@ -233,7 +226,10 @@ def test_compiled_plans_are_the_same(monkeypatch: pytest.MonkeyPatch) -> None:
     assert fast.s == pytest.approx(plain.s, abs=1e-12)
     assert fast.times == pytest.approx(plain.times, rel=1e-12)
     assert fast.speed == pytest.approx(plain.speed, rel=1e-12)
-    assert fast.limited_by == plain.limited_by
+    assert fast.active is not None
+    assert plain.active is not None
+    assert (fast.active == plain.active).all()
+    assert fast.limiters == plain.limiters
 
 
 def test_few_rows_and_a_switch_keep_numba_away(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -19,6 +19,7 @@ from rapidsim.motion.model import MotionModel
 from rapidsim.motion.path.curve_following import PathFault
 from rapidsim.motion.path.path import Path
 from rapidsim.motion.robot.robot import RobotError
+from rapidsim.motion.timing.active_constraints import limiters_of_segments
 from rapidsim.motion.timing.axis_limits import limits_of
 from rapidsim.motion.timing.planning import plan
 from rapidsim.motion.timing.smallest_line import sweep
@@ -58,10 +59,11 @@ def test_a_joint_move_takes_a_trapezoid(way: float) -> None:
 
 def test_a_long_line_takes_its_length_by_its_speed_and_two_ramps() -> None:
     program = Programmer(speed=Speed(0.1, math.radians(500))).line((0.3, 0.0, 0.0))
-    timing = plan(path_of(program), LIMITS)
+    path = path_of(program)
+    timing = plan(path, LIMITS)
     assert timing.duration == pytest.approx(3.0, rel=0.01)
     assert timing.speed_at(1.5) == pytest.approx(0.1, rel=1e-6)
-    assert str(timing.limited_by[0]) == "TCP speed"
+    assert str(limiters_of_segments(path, timing)[0]) == "TCP speed"
 
 
 def test_every_stop_is_a_standstill() -> None:
@@ -150,7 +152,7 @@ def test_tiny_moves_neither_fail_nor_take_long(length: float) -> None:
     timing = plan(path, LIMITS)
     assert np.isfinite(timing.times).all()
     assert 0.4 < timing.duration < 1.5
-    assert len(timing.limited_by) == 5
+    assert len(limiters_of_segments(path, timing)) == 5
 
 
 def test_moves_without_length_take_no_time() -> None:
@@ -178,7 +180,7 @@ def test_a_programmed_time_is_kept(seconds: float) -> None:
     timing = plan(path, LIMITS)
     start, end = timing.time_at(path.segment_starts[1:])
     assert end - start == pytest.approx(seconds, rel=0.01)
-    assert str(timing.limited_by[1]) == "programmed time"
+    assert str(limiters_of_segments(path, timing)[1]) == "programmed time"
 
 
 def test_programmed_times_of_neighbours_are_all_kept() -> None:

@@ -36,7 +36,7 @@ from rapidsim.language.moves import Interpolation, Move, Place
 from rapidsim.motion.configurations import targets
 from rapidsim.motion.model import MotionModel
 from rapidsim.motion.robot.robot import Robot, load_robot
-from rapidsim.motion.trajectory.command import Piece
+from rapidsim.motion.trajectory.command import MotionCommand, Piece
 from rapidsim.motion.trajectory.trajectory import Samples, Trajectory
 from rapidsim.simulation.results.simulation import End, RobotRun, Simulation, TaskEnd
 from rapidsim.station.task_kind import TaskKind
@@ -109,6 +109,10 @@ class EasyTrajectory(Trajectory):
         self.robot = robot
         self.legs = legs
         self.end_s = end_s
+
+    @property
+    def command(self) -> MotionCommand:
+        return MotionCommand()
 
     @property
     def duration(self) -> float:

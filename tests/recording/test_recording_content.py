@@ -16,6 +16,7 @@ from recording_cell import TEXT, cell, two_robots
 from recording_read import SIMULATION, failed_run, rows, texts
 from rerun.chunk import RrdReader
 
+import rapidsim
 from rapidsim.recording.layout.write import record
 
 UNLISTED = ("/robot/fixed", "/robot/base", f"/robot/{SIMULATION.only.robot.name}")
@@ -140,6 +141,18 @@ def test_a_signal_has_its_value_from_the_start_and_a_lane_if_it_never_changes(
     assert texts(path, "/signals/aoFlow", "StateChange:state") == ["2.5"]
     first = next(time for time, _ in rows(path, "/signals/diReady") if time is not None)
     assert first == 0.0
+
+
+def test_the_active_limit_has_a_lane(tmp_path: Path) -> None:
+    program, path = tmp_path / "line.mod", tmp_path / "line.rrd"
+    program.write_text(
+        "MODULE m\n PROC main()\n"
+        "  MoveAbsJ [[40,0,0,0,30,0],[9E9,9E9,9E9,9E9,9E9,9E9]],v100,fine,tool0;\n"
+        " ENDPROC\nENDMODULE\n"
+    )
+    record(rapidsim.simulate([program], robot="irb1600"), path)
+    states = texts(path, "/limits", "StateChange:state")
+    assert states == ["at rest", "torque of axis 1", "TCP speed", "torque of axis 1", "at rest"]
 
 
 def test_two_recordings_of_a_run_are_equal(recording: Path, tmp_path: Path) -> None:

@@ -22,6 +22,7 @@ from rapidsim.language.data import (
 from rapidsim.language.moves import Interpolation, Move, Place
 from rapidsim.motion.model import MotionModel
 from rapidsim.motion.robot.robot import load_robot
+from rapidsim.motion.trajectory.command import MotionCommand
 from rapidsim.motion.trajectory.trajectory import Samples, Trajectory
 from rapidsim.simulation.results.simulation import (
     End,
@@ -54,6 +55,7 @@ class StraightTrajectory:
     pieces = ()
     """Nothing of it was planned, so it takes as long with other accelerations."""
 
+    command = MotionCommand()
     has_ramps = False
 
     def off_path(self, samples: Samples) -> Array:

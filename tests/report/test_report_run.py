@@ -178,6 +178,7 @@ def test_json_is_the_contract() -> None:
         "deviation": None,
         "corner": "stop(corner path failure)",
         "corner_reason": "",
+        "limit": "",
         "conf": [0, 0, 1, 0],
     }
     assert joints == pytest.approx([20.0, 10.0, -5.0, 0.0, 30.0, 197.0])

@@ -53,7 +53,7 @@ def test_a_stretch_names_lines_time_and_limit(run: Simulation) -> None:
     stitches = [one for one in found if one.first.place.span.line == 14]
     assert len(stitches) == 1
     assert stitches[0].moves == 20
-    assert "acceleration of axis" in stitches[0].limit
+    assert "torque of axis" in stitches[0].limit
     assert stitches[0].reached_mm_s < 300.0 < stitches[0].programmed_mm_s
 
 

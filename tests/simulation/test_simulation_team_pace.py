@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 from simulation_tasks import JOINTS, Ran, ran
 
+from rapidsim.simulation.results.active_limits import active_limits
 from rapidsim.simulation.results.slow_sections import slow_sections
-from rapidsim.simulation.results.team_pace import pace_setters
 
 DATA = """
 PERS tasks both{2}:=[["T_ROB1"],["T_ROB2"]];
@@ -71,12 +71,12 @@ def test_moves_of_one_nominal_time_take_one_time(task: str) -> None:
 def test_what_sets_the_pace_is_named() -> None:
     run = jumping().run
     for robot in run.robots:
-        texts = pace_setters(run, robot)
-        assert texts[0] == ""
+        texts = active_limits(run, robot).of_moves
+        assert texts[0] == "TCP speed"
         assert set(texts[5:-4]) == {
             f"TCP speed of T_ROB2, {speed} mm/s" for speed in (100, 200, 400, 800)
         }
-    found = [one for one in slow_sections(run) if one.task == "T_ROB1" and one.moves > 4]
+    found = [one for one in slow_sections(run) if one.task == "T_ROB1" and one.moves > 2]
     assert any(one.limit.startswith("TCP speed of T_ROB2, ") for one in found)
 
 
@@ -93,7 +93,7 @@ def test_the_slowest_of_each_move_sets_its_time() -> None:
     left, right = (it.moves(task)[1:] for task in ("T_ROB1", "T_ROB2"))
     assert [(m.start_s, m.end_s) for m in left] == [(m.start_s, m.end_s) for m in right]
     assert [round(m.end_s - m.start_s, 1) for m in left] == [0.7, 0.7, 0.9]
-    setters = [pace_setters(it.run, robot)[1:] for robot in it.run.robots]
+    setters = [active_limits(it.run, robot).of_moves[1:] for robot in it.run.robots]
     assert setters[0] == setters[1]
     assert setters[0] == (
         "TCP speed of T_ROB1, 100 mm/s",

@@ -34,7 +34,7 @@ from rapidsim.motion.model import MotionModel
 from rapidsim.motion.robot.robot import Robot
 from rapidsim.motion.timing.axis_limits import constants_of, model_of, torques_of
 from rapidsim.simulation.options import RunOptions
-from rapidsim.simulation.results.simulation import End, RobotRun
+from rapidsim.simulation.results.simulation import End, Simulation
 from rapidsim.simulation.simulate import simulate
 from rapidsim.values import value_class
 
@@ -308,7 +308,7 @@ def _with_zone_share(model: MotionModel, value: float) -> MotionModel:
 
 
 def _rows(run: LoggedRun, robot: Robot, model: MotionModel, parameters: int) -> _Rows:
-    progress = MotionByPlace.of(_simulated(run, robot, model).trajectory, 0.0)
+    progress = MotionByPlace.of(simulated(run, robot, model).only.trajectory, 0.0)
     every = max(1, len(run.log.times) // _MOST_ROWS)
     times, joints = run.log.times[::every], run.log.joints[::every]
     places, distances = progress.nearest(joints)
@@ -328,13 +328,18 @@ def _rows(run: LoggedRun, robot: Robot, model: MotionModel, parameters: int) -> 
 
 def _misses(rows: _Rows, robot: Robot, model: MotionModel) -> Array:
     """Return our times less those of the log (k,) [s], less their mean, the offset of the log."""
-    trajectory = _simulated(rows.run, robot, model).trajectory
+    trajectory = simulated(rows.run, robot, model).only.trajectory
     lead = trajectory.time_at_place(rows.places) - rows.times
     misses: Array = lead - lead.mean()
     return misses
 
 
-def _simulated(run: LoggedRun, robot: Robot, model: MotionModel) -> RobotRun:
+def simulated(run: LoggedRun, robot: Robot, model: MotionModel) -> Simulation:
+    """Return our run of a logged program, from the pose of the first row.
+
+    Raises:
+        InputError: If it does not run to its end, or makes no move.
+    """
     start = tuple(float(angle) for angle in np.degrees(run.log.joints[0]))
     options = RunOptions(model=model, nearest_configuration=True, start_joints_deg=start)
     simulation = simulate(run.program, robot, options=options)
@@ -344,7 +349,7 @@ def _simulated(run: LoggedRun, robot: Robot, model: MotionModel) -> RobotRun:
             or "it makes no move"
         )
         raise InputError(f"the program of {run.log.name} does not run to its end: {what}")
-    return simulation.only
+    return simulation
 
 
 def _least_squares(residuals: Residuals, start: Array, least: Array) -> tuple[Array, Array]:

@@ -18,6 +18,8 @@ STEP_M = 0.5e-3
 """Spacing of the sampled positions of our path; between them joints are interpolated linearly."""
 _SPEED_SPAN_S = 4e-3
 _AS_NEAR_RAD = 1e-3
+_CHORD_RAD = 1e-5
+"""Distance that only the linear interpolation between positions makes."""
 _EQUAL_RAD = 1e-9
 
 
@@ -63,12 +65,10 @@ class MotionByPlace:
             share[0] = max(share[0], within)
             apart = np.linalg.norm(start + share[:, None] * step - wanted, axis=1)
             # A path that passes again is as near there: the first time counts, also where it
-            # reverses at a stop and only rounding would decide.
-            near = apart <= apart.min() + _AS_NEAR_RAD
-            first = int(np.argmax(near))
-            away = np.flatnonzero(~near[first:])
-            once = apart[first : first + away[0]] if len(away) else apart[first:]
-            best = first + int(np.argmax(once <= once.min() + _EQUAL_RAD))
+            # reverses at a stop and only interpolation would decide.
+            first, once = _first_run(apart, _AS_NEAR_RAD)
+            start_of_run, run = _first_run(once, _CHORD_RAD)
+            best = first + start_of_run + int(np.argmax(run <= run.min() + _EQUAL_RAD))
             reached, within = reached + best, float(share[best])
             width = self.places[reached + 1] - self.places[reached]
             places[row] = self.places[reached] + share[best] * width
@@ -90,6 +90,14 @@ class MotionByPlace:
         before, after = (self.place_at(times + s * _SPEED_SPAN_S / 2) for s in (-1.0, 1.0))
         speed: Array = (after - before) / _SPEED_SPAN_S
         return speed
+
+
+def _first_run(apart: Array, tolerance: float) -> tuple[int, Array]:
+    """Return the first values (k,) in a row that are the least within a tolerance, and where."""
+    near = apart <= apart.min() + tolerance
+    first = int(np.argmax(near))
+    away = np.flatnonzero(~near[first:])
+    return first, apart[first : first + away[0]] if len(away) else apart[first:]
 
 
 def _stops(trajectory: Trajectory) -> Array:

@@ -49,9 +49,8 @@ def stop_at(
         The motion to rest; its last `s` is where the arm stops. Time 0 is at its first `s`.
     """
     s, speed = timing.s_at(time_s), timing.speed_at(time_s)
-    nothing = (Limiter(Quantity.NOTHING),) * len(path.segments)
     if speed <= _STANDSTILL or s >= path.length:
-        return TimeScaling(np.full(2, s), np.zeros(2), 0.0, nothing)
+        return TimeScaling(np.full(2, s), np.zeros(2), 0.0)
     hardest = speed / in_s if in_s > 0.0 else np.inf
     after_s = time_s + _AFTER_S
     nodes, x = _braked(
@@ -60,7 +59,8 @@ def stop_at(
     # Near the end of the interval, the interval itself makes the arm brake.
     if nodes[-1] > timing.s_at(time_s + 0.5 * _AFTER_S) and after_s < timing.duration:
         nodes, x = _braked(path, limits, s, speed, hardest, (0.0, path.length))
-    return TimeScaling(nodes, np.sqrt(x), 0.0, nothing)
+    active = np.zeros(len(nodes) - 1, dtype=np.int64)
+    return TimeScaling(nodes, np.sqrt(x), 0.0, (Limiter(Quantity.STOP),), active)
 
 
 def _braked(

@@ -43,6 +43,10 @@ class Quantity(Enum):
     WORLD_ACCELERATION = "WorldAccLim"
     CYCLE = "interpolation cycle in a zone"
     DURATION = "programmed time"
+    CORNER = "corner"
+    """A slow zone nearby, past which the smoothed motion would be too fast."""
+    RAMP = "AccSet's ramp"
+    STOP = "stop on the path"
     NOTHING = "nothing"
     """The segment has no length, or is before the start of the timing."""
 
@@ -61,6 +65,11 @@ class Limiter:
     def is_programmed(self) -> bool:
         """Whether it is a programmed speed of the TCP or a programmed time."""
         return self.quantity in _OF_PACE
+
+    @property
+    def is_acceleration(self) -> bool:
+        """Whether it is a limit of an acceleration or a torque."""
+        return self.quantity in _OF_ACCELERATION
 
     def __str__(self) -> str:
         """Return a description such as `acceleration of axis 2`."""
@@ -310,6 +319,12 @@ def _of_axes(quantity: Quantity, values: Array) -> tuple[Limiter, ...]:
 
 
 _OF_PACE = (Quantity.TCP_SPEED, Quantity.REORIENTATION_SPEED, Quantity.DURATION)
+_OF_ACCELERATION = (
+    Quantity.AXIS_ACCELERATION,
+    Quantity.TORQUE,
+    Quantity.TCP_ACCELERATION,
+    Quantity.WORLD_ACCELERATION,
+)
 _PROGRAMMED = tuple(Limiter(quantity) for quantity in _OF_PACE)
 _SPEEDS: tuple[Callable[[Path, GridPoints, Limits], SpeedRows | None], ...] = (
     _axis_speeds,

@@ -9,9 +9,9 @@ import numpy as np
 from rapidsim.frames.transform import Array
 from rapidsim.motion.interruption import Look, undisturbed
 from rapidsim.motion.path.path import Path
-from rapidsim.motion.timing.active_constraints import limiters_of
+from rapidsim.motion.timing.active_constraints import active_limits
 from rapidsim.motion.timing.axis_limits import Limits
-from rapidsim.motion.timing.constraints import Limiter, Paces, Quantity
+from rapidsim.motion.timing.constraints import Paces
 from rapidsim.motion.timing.discretisation import cells_of
 from rapidsim.motion.timing.problem import Problem, at_pace, problem_of
 from rapidsim.motion.timing.ramped_drive import ramped_drive
@@ -46,13 +46,7 @@ def plan(
         check_deadline: Called regularly.
     """
     if start >= path.length:
-        nothing = Limiter(Quantity.NOTHING)
-        return TimeScaling(
-            s=np.full(2, path.length),
-            speed=np.zeros(2),
-            start_excess=start_speed,
-            limited_by=(nothing,) * len(path.segments),
-        )
+        return TimeScaling(np.full(2, path.length), np.zeros(2), start_excess=start_speed)
     timed, driven = _timed(path, start, spent_s)
     unpaced = {**driven, **dict.fromkeys(timed, math.inf)}
     problem = problem_of(path, cells_of(path, limits, start, check_deadline), limits, unpaced)
@@ -67,12 +61,14 @@ def plan(
         motion = drive(problem, division, start_speed)
     if path.ramp_windows.any():
         motion = ramped_drive(problem, division, start_speed, check_deadline)
+    limiters, active = active_limits(problem, motion)
     nodes, speed, standing = with_rests(path, motion.stages.nodes, np.sqrt(motion.x))
     return TimeScaling(
         s=nodes,
         speed=speed,
         start_excess=max(0.0, start_speed - float(np.sqrt(fastest_start))),
-        limited_by=limiters_of(problem, motion),
+        limiters=limiters,
+        active=active[np.searchsorted(motion.stages.nodes[1:-1], nodes[:-1], side="right")],
         standing=standing,
     )
 

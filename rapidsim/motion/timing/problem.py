@@ -21,7 +21,7 @@ from rapidsim.motion.timing.discretisation import GridCells
 from rapidsim.values import value_class
 
 _LEAST_SLOWNESS = 1e-6
-_HELD_BEND = 1.25
+HELD_BEND = 1.25
 """Factor by which less of the acceleration is used for the bend of the path where smoothing may add
 a change of speed that the command does not have there; measured on random programs."""
 
@@ -70,5 +70,5 @@ def _slowness(path: Path, speeds: SpeedRows, accelerations: AccelerationRows) ->
     """
     slowness = speeds.largest
     if path.model.slows_for_bends:
-        slowness = np.maximum(slowness, np.sqrt(_HELD_BEND * accelerations.largest_bend))
+        slowness = np.maximum(slowness, np.sqrt(HELD_BEND * accelerations.largest_bend))
     return np.maximum(slowness, _LEAST_SLOWNESS)

@@ -90,7 +90,7 @@ def _windows_at(problem: Problem, nodes: Array) -> Array:
 def _faster(path: Path, nodes: Array, speeds: Array, windows: Array) -> Mask:
     """Mask (m + 1,) of the nodes at which the average is faster than the command."""
     rested, speed, standing = with_rests(path, nodes, speeds)
-    motion = TimeScaling(rested, speed, 0.0, (), standing)
+    motion = TimeScaling(rested, speed, 0.0, standing=standing)
     faster: Mask = np.zeros(len(nodes), dtype=bool)
     for window in np.unique(windows[windows > 0.0]).tolist():
         # Also after the end, until the window contains only rest.
@@ -104,7 +104,7 @@ def _divided(problem: Problem, division: Division, start_speed: float) -> Divisi
     """Divide the stages around places where the speed will be held."""
     nodes, speeds = division.stages.nodes, _speeds(problem, division, start_speed)
     windows = _windows_at(problem, nodes)
-    times = TimeScaling(nodes, speeds, 0.0, ()).times
+    times = TimeScaling(nodes, speeds, 0.0).times
     faster = _faster(problem.path, nodes, speeds, windows)
     if not faster.any():
         return division

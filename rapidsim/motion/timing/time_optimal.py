@@ -46,6 +46,10 @@ class StageMotion:
     """Largest x at the start from which the rest is feasible."""
     by_speed: Array
     """Largest x by speeds in the middle of the stages, shape (m,)."""
+    caps: Array
+    """Largest x by speeds and ramps at the nodes, shape (m + 1,)."""
+    ramp_caps: Array
+    """Largest x by ramps at the nodes, shape (m + 1,)."""
 
     @property
     def times(self) -> Array:
@@ -93,7 +97,7 @@ def fastest_drive(
 
 
 def drive(
-    problem: Problem, division: Division, start_speed: float, lower_caps: Array | None = None
+    problem: Problem, division: Division, start_speed: float, ramp_caps: Array | float = np.inf
 ) -> StageMotion:
     """Return the fastest motion over these stages.
 
@@ -101,7 +105,7 @@ def drive(
         problem: The limits.
         division: The stages.
         start_speed: Path speed [m/s] at its start.
-        lower_caps: Further largest squares of the speed at the nodes of the division, if any.
+        ramp_caps: Largest squares of the speed by ramps at the nodes of the division.
     """
     stages = division.stages
     speeds = fastest(stages, problem.cells, problem.slowness)
@@ -113,11 +117,10 @@ def drive(
     if np.isfinite(in_zones).any():
         speeds = np.minimum(speeds, in_zones[problem.cells.piece[stages.cell]][:, None])
     own, speeds = stages.beyond(division.driven), speeds[division.driven :]
-    caps = _caps(problem, own, speeds)
-    if lower_caps is not None:
-        caps = np.minimum(caps, lower_caps[division.driven :])
+    of_ramps = np.broadcast_to(ramp_caps, len(stages.nodes))[division.driven :]
+    caps = np.minimum(_caps(problem, own, speeds), of_ramps)
     x, fastest_start = solve(own, caps, start_speed)
-    return StageMotion(own, x, fastest_start, speeds[:, 1] ** 2)
+    return StageMotion(own, x, fastest_start, speeds[:, 1] ** 2, caps, of_ramps)
 
 
 def _caps(problem: Problem, stages: Stages, speeds: Array) -> Array:
@@ -143,7 +146,7 @@ def _needed(problem: Problem, division: Division, start_speed: float) -> Mask:
     speeds = fastest(stages, problem.cells, problem.slowness)
     caps = _caps(problem, stages, speeds)
     x, _ = solve(stages, caps, float(np.sqrt(caps[0])) if division.driven else start_speed)
-    free = TimeScaling(stages.nodes, np.sqrt(x), 0.0, ())
+    free = TimeScaling(stages.nodes, np.sqrt(x), 0.0)
     needed: Mask = np.zeros(len(speeds), dtype=bool)
     for window in problem.path.windows:
         place, speed = free.smoothed(window)

@@ -29,8 +29,10 @@ class TimeScaling:
     start_excess: float
     """Excess [m/s] of the start speed over the speed that can be braked within the limits, else 0.
     Up to 1 % of the speed results from other nodes than those of the previous plan."""
-    limited_by: tuple[Limiter, ...]
-    """Active constraint of each segment of the path for most of its time."""
+    limiters: tuple[Limiter, ...] = ()
+    """Limits that are active in some cell."""
+    active: Index | None = None
+    """Index (k - 1,) of the active limit in each cell among `limiters`; None if unknown."""
     standing: Array | None = None
     """Time [s] at rest in each cell (k - 1,): at stops within the path, which are cells of zero
     width. None if there are none."""

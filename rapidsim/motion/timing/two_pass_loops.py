@@ -6,8 +6,6 @@ used instead.
 
 from __future__ import annotations
 
-import numpy as np
-
 from rapidsim.frames.transform import Array
 from rapidsim.motion.geometry.curves import Index
 
@@ -143,46 +141,6 @@ def fast_stages(
             speeds[k, i] = 1.0 / max(parabola(start, middle, last, share), straight)
 
 
-def held_back_by(
-    rows: tuple[Index, Array, Array, Array],
-    cell: Index,
-    middle: Array,
-    u: Array,
-    square: Array,
-    reached: float,
-    kind: Index,
-) -> None:
-    """Fill in the most constraining limit (m,) in the middle of stages; see `limiters_of`.
-
-    Args:
-        rows: Points (c, 3) of the cells; rates, slopes and bends (k, ...) at the points.
-        cell: The cells (m,) of the stages.
-        middle: The positions of the middles within the cells.
-        u: Path acceleration (m,).
-        square: Square of the path speed (m,) there.
-        reached: Share above which a speed limit counts as active for any acceleration.
-        kind: Filled in: speeds are counted first.
-    """
-    at, rates, slopes, bends = rows
-    for k in range(len(cell)):
-        a, b, c = at[cell[k], 0], at[cell[k], 1], at[cell[k], 2]
-        speed = np.sqrt(square[k])
-        found, most = 0, 0.0
-        for i in range(rates.shape[1]):
-            usage = parabola(rates[a, i], rates[b, i], rates[c, i], middle[k]) * speed
-            if usage > most:
-                found, most = i, usage
-        if most <= reached:
-            most = 0.0
-            for i in range(slopes.shape[1]):
-                slope = parabola(slopes[a, i], slopes[b, i], slopes[c, i], middle[k])
-                bend = parabola(bends[a, i], bends[b, i], bends[c, i], middle[k])
-                load = abs(slope * u[k] + bend * square[k])
-                if load > most:
-                    found, most = rates.shape[1] + i, load
-        kind[k] = found
-
-
 COMPILED = (
     parabola,
     widest_of,
@@ -190,6 +148,5 @@ COMPILED = (
     both_passes,
     load_stages,
     fast_stages,
-    held_back_by,
 )
 """All functions, each after its callees."""

@@ -20,7 +20,9 @@ from __future__ import annotations
 import numpy as np
 
 from rapidsim.frames.transform import Array
+from rapidsim.motion.geometry.curves import Index
 from rapidsim.motion.path.segment_columns import ramp_window
+from rapidsim.motion.timing.constraints import Limiter, Quantity
 from rapidsim.motion.timing.time_scaling import TimeScaling
 from rapidsim.motion.trajectory.command import MotionCommand, Piece
 from rapidsim.motion.trajectory.filter_windows import Windows
@@ -32,6 +34,10 @@ _LEAST_WIDTH_S = 1e-6
 _DEVIATION_M = 3e-7
 """Largest distance [m] between the average and its cells, of one interval."""
 _MOST_PARTS = 1000
+_ADDED = 0.5
+"""Share of the planned speed below which the ramp adds most of the time."""
+_REACHED = 0.95
+"""Share of a maximum speed that counts as reached."""
 _PROBES = np.array([0.25, 0.5, 0.75])
 """Shares of an interval at which the speed is compared with a line."""
 
@@ -173,7 +179,8 @@ class RampedCommand:
             s=s,
             speed=scale * speeds,
             start_excess=0.0,
-            limited_by=planned.timing.limited_by,
+            limiters=(*planned.timing.limiters, Limiter(Quantity.RAMP)),
+            active=_active(planned.timing, 0.5 * (s[1:] + s[:-1]), scale * mean),
             standing=np.where(mean == 0.0, steps, 0.0),
         )
         start_s = max(float(times[0]), self.command.end)
@@ -227,3 +234,18 @@ class RampedCommand:
         now = self.planned.speed(self.planned.row_at(times), times)
         places = self.planned.starts(oldest)[1] + way + np.where(closed, 0.0, mean)
         return places, np.maximum(np.where(closed, now, speed), 0.0)
+
+
+def _active(planned: TimeScaling, s: Array, speeds: Array) -> Index | None:
+    """Return the active limit (k,) at positions (k,) [m] that are passed at speeds (k,) [m/s].
+
+    It is the planned one, or the ramp, after these: where the ramp adds most of the time, or where
+    the planned limit is one of the speed and is not reached.
+    """
+    if planned.active is None:
+        return None
+    cell = np.searchsorted(planned.s[1:-1], s, side="right")
+    active = planned.active[cell]
+    least = np.array([_ADDED if one.is_acceleration else _REACHED for one in planned.limiters])
+    slow = speeds < least[active] * planned.speed_at(planned.time_at(s))
+    return np.where(slow, len(planned.limiters), active)

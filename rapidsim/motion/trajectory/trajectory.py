@@ -145,7 +145,7 @@ class Trajectory:
         return self._ramped.planned.pieces
 
     @property
-    def _command(self) -> MotionCommand:
+    def command(self) -> MotionCommand:
         """The command that is smoothed."""
         return self._ramped.command
 
@@ -231,14 +231,14 @@ class Trajectory:
     @property
     def travelled_m(self) -> float:
         """TCP travel [m] of the whole run, with corners cut."""
-        row = np.arange(1, self._command.last_row + 1)
-        way = self._command.increases(row)
+        row = np.arange(1, self.command.last_row + 1)
+        way = self.command.increases(row)
         return float(np.sum(self._travelled(row, way) - self._travelled(row, 0.0 * way)))
 
     def _travelled(self, row: Index, arc_length: Array) -> Array:
         """Return the TCP travel (k,) [m] on the paths of rows, up to distances (k,) [m] in them."""
         travel = np.empty(len(row))
-        for path, s, at, _ in self._command.on_paths(row, arc_length):
+        for path, s, at, _ in self.command.on_paths(row, arc_length):
             travel[at] = path.travelled(s)
         return travel
 
@@ -248,7 +248,7 @@ class Trajectory:
         It is a position, because a move may begin slightly before the time at which the program
         issues it.
         """
-        if not self._command.last_row:
+        if not self.command.last_row:
             return Mark(time_s, 0.0)
         return Mark(time_s, float(self.place_at(np.array([time_s]))[0]))
 
@@ -268,9 +268,9 @@ class Trajectory:
         if last.place_m <= first.place_m:
             return 0.0
         places = np.array([first.place_m, last.place_m])
-        (begin, end), (since_m, until_m) = self._command.rows_at(places)
+        (begin, end), (since_m, until_m) = self.command.rows_at(places)
         row = np.arange(begin, end + 1)
-        until, since = self._command.increases(row), np.zeros(len(row))
+        until, since = self.command.increases(row), np.zeros(len(row))
         until[-1], since[0] = until_m, since_m
         return float(np.sum(self._travelled(row, until) - self._travelled(row, since)))
 
@@ -281,7 +281,7 @@ class Trajectory:
         moves are short.
         """
         times = np.atleast_1d(np.asarray(times, dtype=np.float64))
-        samples = self._planned(times, coarse) if self._command.last_row else self._standing(times)
+        samples = self._planned(times, coarse) if self.command.last_row else self._standing(times)
         for led in self._corrected:
             beside = (led.start_s <= times) & (times < led.until_s)
             if beside.any():
@@ -292,13 +292,13 @@ class Trajectory:
 
     def postures(self, times: Array) -> JointSamples:
         """Return the axes at some instants (k,) [s], in any order, as accurate as a coarse `at`."""
-        if not self._command.last_row or not self._by_axes or self._corrected:
+        if not self.command.last_row or not self._by_axes or self._corrected:
             samples = self.at(times)
             return JointSamples(samples.move, samples.joints, samples.external)
         row, way, _ = self._visible(times)
-        joints, _ = mean_joints(self._command, self._windows, times, coarse=True)
+        joints, _ = mean_joints(self.command, self._windows, times, coarse=True)
         move = np.empty(len(times), dtype=np.int64)
-        for path, s, at, first in self._command.on_paths(row, way):
+        for path, s, at, first in self.command.on_paths(row, way):
             move[at] = first + path.segment_at(s)
         arm, external = np.split(joints, [len(self._start.joints)], axis=1)
         for stretch, held in self._guided_sections(times):
@@ -320,14 +320,14 @@ class Trajectory:
         """Return the arm on its path."""
         row, way, speed = self._visible(times)
         by_axes = self._by_axes
-        joints = np.empty((len(times), self._command.piece(1).path.axis_count))
+        joints = np.empty((len(times), self.command.piece(1).path.axis_count))
         rates = np.empty(0)
         if by_axes:
-            joints, rates = mean_joints(self._command, self._windows, times, coarse=coarse)
+            joints, rates = mean_joints(self.command, self._windows, times, coarse=coarse)
         pose = Transform(np.empty((len(times), 3, 3)), np.empty((len(times), 3)))
         move, tcp_speed = np.empty(len(times), dtype=np.int64), np.empty(len(times))
         # Before the first piece the arm is at its start, with its tool.
-        for path, s, at, first in self._command.on_paths(row, way):
+        for path, s, at, first in self.command.on_paths(row, way):
             if by_axes:
                 tcp, segment, tcp_speed[at] = path.nearby_state(s, joints[at], rates[at], speed[at])
             else:
@@ -346,10 +346,10 @@ class Trajectory:
         For an arm at rest: the direction of the path that ended there, or begins there.
         """
         ways = np.zeros((len(times), 3))
-        if not self._command.last_row:
+        if not self.command.last_row:
             return ways
         row, way, _ = self._visible(times)
-        for path, s, at, _ in self._command.on_paths(row, way):
+        for path, s, at, _ in self.command.on_paths(row, way):
             ways[at] = path.tcp_derivatives(s, path.layout.piece_at(s))[0]
         length = np.linalg.norm(ways, axis=1, keepdims=True)
         unit: Array = np.divide(ways, length, out=np.zeros_like(ways), where=length > _NO_WAY)
@@ -362,10 +362,10 @@ class Trajectory:
         commanded path.
         """
         off = np.zeros(len(samples.times))
-        if self._smoothing == "path" or not self._command.last_row:
+        if self._smoothing == "path" or not self.command.last_row:
             return off
         row, way, _ = self._visible(samples.times)
-        for path, s, at, _ in self._command.on_paths(row, way):
+        for path, s, at, _ in self.command.on_paths(row, way):
             on_path = path.evaluate(s).base_from_tcp.translation
             off[at] = np.linalg.norm(samples.base_from_tcp.translation[at] - on_path, axis=1)
         for _, held in self._guided_sections(samples.times):
@@ -402,7 +402,7 @@ class Trajectory:
     def place_at(self, times: Array) -> Array:
         """Return the visible position S (k,) [m] of the run at times (k,) [s]."""
         row, way, _ = self._visible(np.atleast_1d(np.asarray(times, dtype=np.float64)))
-        place: Array = self._command.starts(row)[1] + way
+        place: Array = self.command.starts(row)[1] + way
         return place
 
     def fastest_rate(self, start_s: float) -> float:
@@ -438,7 +438,7 @@ class Trajectory:
 
     def _times_at(self, places: Array) -> Array:
         """Return the first times (k,) [s] of the visible motion at positions S (k,) [m]."""
-        times = self._command.time_at(places)
+        times = self.command.time_at(places)
         if self._windows.filter_time > 0.0:
             # The mean over a window passes a position after the command has.
             wanted = places - ROUNDING_M
@@ -452,7 +452,7 @@ class Trajectory:
 
     def _visible(self, times: Array) -> tuple[Index, Array, Array]:
         """Return row (k,), distance (k,) [m] since its start, and speed dS/dt (k,) [m/s]."""
-        command, windows = self._command, self._windows
+        command, windows = self.command, self._windows
         if windows.filter_time == 0.0:
             row = command.row_at(times)
             return row, command.state(row, times)[0], command.speed(row, times)
@@ -467,14 +467,12 @@ class Trajectory:
         """Convert distances (k,) [m] counted from rows (k,) to the rows that contain them."""
         row, arc_length = oldest.copy(), np.maximum(arc_length, 0.0)
         while True:
-            whole = self._command.increases(row)
-            past = np.flatnonzero(
-                (arc_length > whole + ROUNDING_M) & (row < self._command.last_row)
-            )
+            whole = self.command.increases(row)
+            past = np.flatnonzero((arc_length > whole + ROUNDING_M) & (row < self.command.last_row))
             if not len(past):
                 return row, np.minimum(arc_length, whole)
             arc_length[past] -= whole[past]
-            row[past] = np.minimum(self._command.following(row[past]), self._command.last_row)
+            row[past] = np.minimum(self.command.following(row[past]), self.command.last_row)
 
 
 def _lead(samples: Samples, section: CorrectedSection, mask: Mask) -> None:

@@ -207,6 +207,7 @@ def _lanes(runs: Sequence[RecordedRobot]) -> rrb.View:
         name="Moves, signals, errors" if runs[0].sampled.simulation.errors else "Moves and signals",
         contents=[
             *(f"+ /{run.entity(state_lanes.MOVE_LANE)}" for run in runs),
+            *(f"+ /{run.entity(state_lanes.LIMIT_LANE)}" for run in runs),
             *(f"+ /{run.entity(state_lanes.CLEARANCE_LANE)}" for run in runs),
             f"+ /{state_lanes.SIGNALS}/**",
             f"+ /{state_lanes.ERRORS}/**",

@@ -25,6 +25,7 @@ from rapidsim.recording.panels.program_listing import log_listing
 from rapidsim.recording.panels.state_lanes import (
     log_clearance,
     log_errors,
+    log_limits,
     log_moves,
     log_signals,
 )
@@ -108,6 +109,7 @@ def _log_robot(
     log_stopped(stream, run, 0.05 * size_m)
     log_plots(stream, run)
     log_moves(stream, run)
+    log_limits(stream, run)
     return remarks
 
 

@@ -14,11 +14,13 @@ from rapidsim.recording import palette
 from rapidsim.recording.samples import RecordedRobot
 from rapidsim.recording.scene.targets import target_name
 from rapidsim.recording.timelines import Clock
+from rapidsim.simulation.results.active_limits import active_limits
 from rapidsim.simulation.results.signal_history import signal_changes
 
 MOVE_LANE = "moves"
 SIGNALS = "signals"
 CLEARANCE_LANE = "clearance"
+LIMIT_LANE = "limits"
 ERRORS = "errors"
 
 _MOST_STATES = 200
@@ -36,6 +38,26 @@ def log_moves(stream: rr.RecordingStream, run: RecordedRobot) -> None:
     if run.robot_run.moves:
         states, colours = _move_states(run.robot_run.moves)
         _log_lane(stream, run.entity(MOVE_LANE), states, colours, run.clock)
+
+
+def log_limits(stream: rr.RecordingStream, run: RecordedRobot) -> None:
+    """Log the active limit of a robot's motion."""
+    if not run.robot_run.moves:
+        return
+    active = active_limits(run.sampled.simulation, run.robot_run)
+    times = run.samples.times
+    numbers = active.at(times)
+    numbers = np.where(np.abs(run.sampled.joint_speed).max(axis=1) > 0.0, numbers, -1)
+    changes = np.flatnonzero(np.diff(numbers, prepend=-2))
+    states: _States = []
+    colours: dict[str, palette.Colour] = {_STANDSTILL: palette.STANDSTILL}
+    for time_s, number in zip(times[changes].tolist(), numbers[changes].tolist(), strict=True):
+        limit = active.limits[number] if number > 0 else None
+        state = limit.text if limit is not None else _STANDSTILL
+        if limit is not None:
+            colours.setdefault(state, palette.of_limit(limit.quantity, limit.axis))
+        states.append((time_s, state))
+    _log_lane(stream, run.entity(LIMIT_LANE), states, colours, run.clock)
 
 
 def log_signals(stream: rr.RecordingStream, run: RecordedRobot) -> None:

@@ -17,6 +17,7 @@ from rapidsim.report.html.elements import bar, prose, section, table, text, tile
 from rapidsim.report.run.figures import Figures
 from rapidsim.report.run.long_programs import lines_of
 from rapidsim.report.run.run_models import models, of_robots
+from rapidsim.simulation.results.active_limits import limits_of_moves, most_frequent
 from rapidsim.simulation.results.curve_deviations import CurveDeviation, all_curve_deviations
 from rapidsim.simulation.results.regions import Region, by_comment
 from rapidsim.simulation.results.simulation import Simulation
@@ -127,7 +128,7 @@ def cycle_time(simulation: Simulation) -> str:
     if not steps:
         return ""
     routines, lines = by_routine(steps), by_line(steps)
-    deviations = all_curve_deviations(simulation)
+    deviations, limits = all_curve_deviations(simulation), limits_of_moves(simulation)
     left = lines[_MOST_LINES:]
     several = len({step.task for step in steps}) > 1
     note = (
@@ -142,10 +143,7 @@ def cycle_time(simulation: Simulation) -> str:
         + "<h3>By routine</h3>"
         + table(
             ("routine", ">moves and waits", ">path [mm]", ">time [s]", ""),
-            [
-                _share_row(share, routines[0], named=False, several=several)
-                for share in routines[:_MOST_LINES]
-            ],
+            [_share_row(share, routines[0], several=several) for share in routines[:_MOST_LINES]],
             kind="times",
         )
         + '<h3>By line</h3><div class="scrolled">'
@@ -156,12 +154,16 @@ def cycle_time(simulation: Simulation) -> str:
                 ">times",
                 ">path [mm]",
                 ">path deviation [mm]",
+                "limited by",
                 ">time [s]",
                 "",
             ),
             [
                 _share_row(
-                    share, lines[0], _off_curve(share, deviations), named=True, several=several
+                    share,
+                    lines[0],
+                    [_off_curve(share, deviations), text(most_frequent(limits, share.moves))],
+                    several=several,
                 )
                 for share in lines[:_MOST_LINES]
             ],
@@ -228,17 +230,17 @@ def _regions(regions: Sequence[Region]) -> str:
 
 
 def _share_row(
-    share: Share, longest: Share, off: str = "", *, named: bool, several: bool
+    share: Share, longest: Share, of_line: Sequence[str] = (), *, several: bool
 ) -> list[str]:
-    name = share.line if named else share.place.routine
+    name = share.line if of_line else share.place.routine
     name = f"{share.task}: {name}" if several else name
-    what = [text(name), text(f"{share.instruction} {share.goal}")] if named else [text(name)]
+    what = [text(name), text(f"{share.instruction} {share.goal}")] if of_line else [text(name)]
     width = share.seconds / longest.seconds if longest.seconds > 0.0 else 0.0
     return [
         *what,
         str(share.times),
         f"{share.length_mm:,.1f}",
-        *([off] if named else []),
+        *of_line,
         f"{share.seconds:.3f}",
         bar(width, waits=share.is_wait),
     ]

@@ -6,6 +6,7 @@ Everything is a function of the simulation alone, so a report of the same run is
 from __future__ import annotations
 
 from collections import Counter
+from collections.abc import Mapping
 from dataclasses import replace
 
 import numpy as np
@@ -16,6 +17,7 @@ from rapidsim.motion.configurations.singularities import per_metre
 from rapidsim.motion.geometry.curves import Index
 from rapidsim.motion.timing.axis_limits import constants_of, limits_of
 from rapidsim.simulation.results.acceleration_sensitivity import extra_time_s
+from rapidsim.simulation.results.active_limits import limits_of_moves
 from rapidsim.simulation.results.sampling import MOST_EXACT
 from rapidsim.simulation.results.simulation import End, RobotRun, Simulation
 from rapidsim.simulation.results.time_shares import Share, by_line
@@ -84,6 +86,8 @@ class Figures:
     singularity: SingularityMargin | None
     off_path: OffPath | None
     """None where the arm stays on its path."""
+    limits: Mapping[int, str]
+    """Limit that is active for most of the time of a move, by the number of the move."""
     sensitivity: tuple[AccelerationSensitivity, ...]
     """Times of the run with other accelerations; none where nothing moved, or too much.
 
@@ -129,6 +133,7 @@ def figures(simulation: Simulation) -> Figures:
         joint_margin=min(margins, key=lambda one: one.degrees, default=None),
         singularity=min(singularities, key=lambda one: one.smallest_singular_value, default=None),
         off_path=max(off_path, key=lambda one: one.mm, default=None),
+        limits=limits_of_moves(simulation),
         # What one robot would save, another may wait away.
         sensitivity=_sensitivity(simulation) if moves and _has_cycle_time(simulation) else (),
     )

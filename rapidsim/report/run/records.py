@@ -15,6 +15,7 @@ from rapidsim.controller.journal.events import Wait
 from rapidsim.controller.moves.executed_move import CornerKind, ExecutedMove
 from rapidsim.json_records.declarations import Key, OrAbsent, Rounded
 from rapidsim.motion.robot.external_axes import ExternalAxis
+from rapidsim.simulation.results.active_limits import limits_of_moves
 from rapidsim.simulation.results.curve_deviations import CurveDeviation, all_curve_deviations
 from rapidsim.simulation.results.simulation import Simulation
 from rapidsim.simulation.results.time_shares import argument, instruction_of
@@ -67,6 +68,8 @@ class MoveRecord:
     """`fly-by`, `stop` or `stop(corner path failure)`."""
     corner_reason: str
     """Why the zone is not the programmed one, or why the arm stops; empty where it is."""
+    limit: str
+    """Limit that is active for most of its time, such as `torque of axis 2`; empty if none is."""
     target: PoseRecord
     joints_deg: tuple[Rounded, ...]
     conf: tuple[int, ...]
@@ -103,9 +106,14 @@ class WaitRecord:
 
 def move_records(simulation: Simulation) -> tuple[MoveRecord, ...]:
     """The moves of all robots, robot after robot, numbered through."""
-    deviations = all_curve_deviations(simulation)
+    deviations, limits = all_curve_deviations(simulation), limits_of_moves(simulation)
     return tuple(
-        _move(move, simulation.robot_of(move.task).robot.external, deviations.get(move.index))
+        _move(
+            move,
+            simulation.robot_of(move.task).robot.external,
+            deviations.get(move.index),
+            limits.get(move.index, ""),
+        )
         for move in simulation.moves
     )
 
@@ -116,7 +124,10 @@ def wait_records(simulation: Simulation) -> tuple[WaitRecord, ...]:
 
 
 def _move(
-    move: ExecutedMove, axes: Sequence[ExternalAxis], deviation: CurveDeviation | None
+    move: ExecutedMove,
+    axes: Sequence[ExternalAxis],
+    deviation: CurveDeviation | None,
+    limit: str,
 ) -> MoveRecord:
     external = {
         axis.component: float(value * axis.scale)
@@ -140,6 +151,7 @@ def _move(
         deviation=None if deviation is None else _deviation(deviation),
         corner=move.corner.value,
         corner_reason=move.corner_reason,
+        limit=limit,
         target=PoseRecord(
             tuple(float(x * 1000.0) for x in move.base_from_tcp.translation),
             tuple(map(float, move.base_from_tcp.quaternion)),

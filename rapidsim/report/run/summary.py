@@ -6,7 +6,7 @@ Built of rich tables without boxes, so that it reads in 80 columns and in a log 
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 
 from rich.console import Console, ConsoleOptions, Group, RenderableType, RenderResult
@@ -29,6 +29,7 @@ from rapidsim.report.run.long_programs import long_program_text
 from rapidsim.report.run.run_models import models, of_robots
 from rapidsim.report.unbreakable_units import UnbreakableUnits
 from rapidsim.report.untruncated_table import UntruncatedTable
+from rapidsim.simulation.results.active_limits import most_frequent
 from rapidsim.simulation.results.collisions import Collisions
 from rapidsim.simulation.results.persistents import PersistentChange, parts_of
 from rapidsim.simulation.results.simulation import Simulation
@@ -104,7 +105,7 @@ def summary(
     if of_many is not None:
         parts += [Text(), of_many]
     elif slowest:
-        parts += [Text(), _Slowest("slowest lines", slowest[:_SLOWEST], bars)]
+        parts += [Text(), _Slowest("slowest lines", slowest[:_SLOWEST], bars, figures.limits)]
     if figures.slowest_other_waits:
         parts += [Text(), _Slowest("without a robot", figures.slowest_other_waits, bars)]
     if simulation.moves:
@@ -340,12 +341,16 @@ class _Slowest:
     title: str
     lines: Sequence[Share]
     bars: Bars
+    limits: Mapping[int, str] | None = None
 
     def __rich_console__(self, console: Console, options: ConsoleOptions) -> RenderResult:
-        table = _slowest(self.title, self.lines, self.bars)
-        needed = Measurement.get(console, options.update(max_width=_ANY_WIDTH), table).maximum
-        fits = needed - _LINE_BAR_CELLS <= options.max_width
-        yield table if fits else _slowest_narrow(self.title, self.lines)
+        for routines in (True, False):
+            table = _slowest(self, routines=routines)
+            needed = Measurement.get(console, options.update(max_width=_ANY_WIDTH), table).maximum
+            if needed - _LINE_BAR_CELLS <= options.max_width:
+                yield table
+                return
+        yield _slowest_narrow(self.title, self.lines)
 
 
 def _slowest_narrow(title: str, lines: Sequence[Share]) -> Table:
@@ -359,23 +364,28 @@ def _slowest_narrow(title: str, lines: Sequence[Share]) -> Table:
     return table
 
 
-def _slowest(title: str, lines: Sequence[Share], bars: Bars) -> Table:
+def _slowest(shown: _Slowest, *, routines: bool) -> Table:
+    lines, bars, limits = shown.lines, shown.bars, shown.limits
     table = UntruncatedTable.without_lines()
-    table.add_column(title, no_wrap=True)
-    table.add_column("routine", no_wrap=True, max_width=_ROUTINE_CELLS)
+    table.add_column(shown.title, no_wrap=True)
+    if routines:
+        table.add_column("routine", no_wrap=True, max_width=_ROUTINE_CELLS)
     table.add_column("move or wait", no_wrap=True, max_width=_MOVE_CELLS)
     table.add_column("times", justify="right", no_wrap=True)
     table.add_column("time", justify="right", no_wrap=True)
+    if limits:
+        table.add_column("limited by", no_wrap=True)
     table.add_column("", no_wrap=True, overflow="crop")
     longest = max(line.seconds for line in lines) or 1.0
     for line in lines:
         bar, colour = (bars.rest, "yellow") if line.is_wait else (bars.full, "green")
         table.add_row(
             line.line,
-            line.place.routine,
+            *([line.place.routine] if routines else []),
             f"{line.instruction} {printable(line.goal)}",
             str(line.times),
             f"{line.seconds:.3f} s",
+            *([most_frequent(limits, line.moves)] if limits else []),
             Text(bar * round(_LINE_BAR_CELLS * line.seconds / longest), colour),
         )
     return table

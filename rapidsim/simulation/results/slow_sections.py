@@ -1,8 +1,8 @@
 """Sections in which the TCP is slower than programmed, their duration and active limit.
 
 For programs of thousands of moves, in which no single line explains the time: a section extends
-over lines until the speed is reached. Its limit is read from the motion itself: the limit with the
-highest use for most of the section. Longer waits at stop points separate sections.
+over lines until the speed is reached. Its limit is the one that is active for most of its time.
+Longer waits at stop points separate sections.
 """
 
 from __future__ import annotations
@@ -14,19 +14,17 @@ import numpy as np
 import numpy.typing as npt
 
 from rapidsim.controller.moves.executed_move import ExecutedMove
-from rapidsim.frames.rotation_vectors import vector_from_rotation
 from rapidsim.frames.transform import Array
-from rapidsim.simulation.results.sampling import SampledRun, sampled
+from rapidsim.motion.timing.constraints import Quantity
+from rapidsim.simulation.results.active_limits import active_limits
+from rapidsim.simulation.results.sampling import sampled
 from rapidsim.simulation.results.simulation import RobotRun, Simulation
-from rapidsim.simulation.results.team_pace import pace_setters
 from rapidsim.values import value_class
 
 _STEP_S = 0.012
 _MOST_SAMPLES = 20_000
 _REACHED = 0.95
 """Share of the programmed speed that counts as reached."""
-_AT_LIMIT = 0.95
-"""Share of an axis' speed or of the reorientation speed from which on it is the active limit."""
 _MOST = 200
 _SHORT_STOP_S = 0.3
 """Stops up to this long [s] do not separate sections: stitches between fine points form one."""
@@ -50,8 +48,7 @@ class SlowSection:
     reached_mm_s: float
     """Mean speed in the section."""
     limit: str
-    """Active limit, such as `acceleration of axis 2`; where a robot of a team sets the pace of all,
-    such as `TCP speed of T_ROB2, 200 mm/s`."""
+    """Active limit for most of the time; see `ActiveLimit`."""
 
     @property
     def seconds(self) -> float:
@@ -80,21 +77,26 @@ def _of_robot(simulation: Simulation, robot_run: RobotRun, offset: int) -> Itera
         return
     move = np.clip(samples.move, 0, len(robot_run.moves) - 1)
     programmed = np.array([each.move.speed.v_tcp for each in robot_run.moves])[move] / 1000.0
-    turning = np.radians([each.move.speed.v_ori for each in robot_run.moves])[move]
     share = samples.tcp_speed / np.maximum(programmed, 1e-9)
     moving = np.abs(run.joint_speed).max(axis=1) > 0.0
     below = moving & (share < _REACHED)
-    limits, names = _limits(run, turning, np.array(pace_setters(simulation, robot_run))[move])
+    active = active_limits(simulation, robot_run)
+    limits = active.at(times)
+    unreached = np.array([one.text == Quantity.TCP_SPEED.value for one in active.limits])
+    quantities = list(Quantity)
+    kinds = np.array([quantities.index(one.quantity) for one in active.limits])[limits]
     # Samples at rest are omitted.
     widths = np.minimum(np.gradient(times), step_s)
-    kinds = limits // run.joint_speed.shape[1]
     pieces = [
         (begin, end, (_mode(kinds[begin:end]), float(programmed[begin])))
         for begin, end in _pieces(below, move)
     ]
     for begin, end in _joined(pieces, moving, times):
         rows = np.arange(begin, end)[below[begin:end]]
-        held = np.bincount(limits[rows], widths[rows], minlength=len(names))
+        held = np.bincount(limits[rows], widths[rows], minlength=len(active.limits))
+        # What is below the programmed speed is smoothed: the command has reached it.
+        others = np.where(unreached, 0.0, held)
+        held = others if others.any() else held
         first, last = robot_run.moves[int(move[begin])], robot_run.moves[int(move[end - 1])]
         if end == begin + 1:
             continue
@@ -108,7 +110,7 @@ def _of_robot(simulation: Simulation, robot_run: RobotRun, offset: int) -> Itera
             moves=int(move[end - 1] - move[begin]) + 1,
             programmed_mm_s=1000.0 * float(programmed[rows].max()),
             reached_mm_s=1000.0 * float(np.average(samples.tcp_speed[rows], weights=widths[rows])),
-            limit=names[int(held.argmax())],
+            limit=active.limits[int(held.argmax())].text,
         )
 
 
@@ -138,42 +140,6 @@ def _joined(
 
 def _mode(kinds: Array) -> int:
     return int(np.bincount(kinds).argmax())
-
-
-def _limits(run: SampledRun, turning: Array, paces: Array) -> tuple[Array, tuple[str, ...]]:
-    """Return the active limit (k,) of each sample, as an index into the names.
-
-    Args:
-        run: The samples.
-        turning: Programmed reorientation speeds (k,) [rad/s].
-        paces: Texts (k,) of what sets the pace of a team; empty if nothing does.
-    """
-    speeds, accelerations = np.abs(run.speed_shares), np.abs(run.acceleration_shares)
-    count = speeds.shape[1]
-    setters, setter = np.unique(paces, return_inverse=True)
-    names = (
-        *(f"speed of axis {k + 1}" for k in range(count)),
-        *(f"acceleration of axis {k + 1}" for k in range(count)),
-        "reorientation speed",
-        *setters.tolist(),
-    )
-    fast = np.nan_to_num(speeds) / 100.0
-    loads = np.nan_to_num(accelerations)
-    held = count + loads.argmax(axis=1)
-    paced = (paces != "") & (loads.max(axis=1) < 100.0 * _AT_LIMIT)
-    held = np.where(paced, 2 * count + 1 + setter, held)
-    turns = (_turning(run) >= _AT_LIMIT * np.maximum(turning, 1e-9)) & ~paced
-    held = np.where(turns, 2 * count, held)
-    held = np.where(fast.max(axis=1) >= _AT_LIMIT, fast.argmax(axis=1), held)
-    return held.astype(np.int64), names
-
-
-def _turning(run: SampledRun) -> Array:
-    """Turning speed of the tool (k,) [rad/s]."""
-    rotation, times = run.samples.base_from_tcp.rotation, run.samples.times
-    steps = vector_from_rotation(np.swapaxes(rotation[:-1], -1, -2) @ rotation[1:])
-    rate = np.linalg.norm(steps, axis=-1) / np.maximum(np.diff(times), 1e-9)
-    return np.append(rate, 0.0)
 
 
 def _runs(mask: Array) -> Iterator[tuple[int, int]]:

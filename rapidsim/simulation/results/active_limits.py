@@ -1,0 +1,175 @@
+"""Active limits along the motion of a robot, as texts: what its speed is limited by, and where.
+
+The planner knows the active limit of each part of a command (`motion/timing/active_constraints`),
+and where a ramp of AccSet adds most of the time. In a team, axes and programmed speeds may be those
+of another robot.
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterable, Mapping, Sequence
+from functools import cached_property
+
+import numpy as np
+
+from rapidsim.controller.moves.executed_move import ExecutedMove
+from rapidsim.frames.transform import Array
+from rapidsim.motion.geometry.curves import Index
+from rapidsim.motion.timing.constraints import Limiter, Quantity
+from rapidsim.motion.trajectory.command import Piece
+from rapidsim.motion.trajectory.trajectory import Trajectory
+from rapidsim.simulation.results.simulation import RobotRun, Simulation
+from rapidsim.values import value_class
+
+
+@value_class(frozen=True, slots=True)
+class ActiveLimit:
+    """An active limit."""
+
+    quantity: Quantity
+    text: str
+    """Name such as `torque of axis 2`; if it is of another robot of a team or sets the pace of all,
+    such as `TCP speed of T_ROB2, 200 mm/s`."""
+    axis: int | None = None
+    """Axis of its robot, counted from 1; None if the limit is not of a single axis."""
+
+
+_NOTHING = ActiveLimit(Quantity.NOTHING, "")
+
+
+@value_class(frozen=True, eq=False)
+class ActiveLimits:
+    """Active limits of the motion of a robot in cells (k,), in order."""
+
+    trajectory: Trajectory
+    limits: tuple[ActiveLimit, ...]
+    places: Array
+    """Start of each cell, shape (k,): position S [m] of the run."""
+    moves: Index
+    """Number of the move of each cell, shape (k,)."""
+    numbers: Index
+    """Index of the active limit of each cell among `limits`, shape (k,)."""
+    times: Array
+    """Duration (k,) [s], without rest."""
+
+    def at(self, times: Array) -> Index:
+        """Return indices (m,) of the active limits at times (m,) [s] among `limits`."""
+        if not len(self.places):
+            return np.zeros(len(times), dtype=np.int64)
+        places = self.trajectory.place_at(times)
+        cell = np.searchsorted(self.places[1:], places, side="right")
+        found: Index = self.numbers[cell]
+        return found
+
+    @cached_property
+    def of_moves(self) -> tuple[str, ...]:
+        """Limit that is active for most of the time of each move, empty if it takes no time."""
+        count, kinds = int(self.moves.max(initial=-1)) + 1, len(self.limits)
+        total = np.bincount(self.moves * kinds + self.numbers, self.times, count * kinds)
+        most = total.reshape(count, kinds).argmax(axis=1).tolist()
+        return tuple(self.limits[number].text for number in most)
+
+
+def active_limits(simulation: Simulation, robot_run: RobotRun) -> ActiveLimits:
+    """Return the active limits of a robot's motion."""
+    limits: dict[ActiveLimit, int] = {_NOTHING: 0}
+    columns: list[tuple[Array, Index, Index, Array]] = []
+    place = 0.0
+    for piece in robot_run.trajectory.command.pieces:
+        s, timing = piece.timing.s, piece.timing
+        first = max(int(np.searchsorted(s, piece.from_s, side="right")) - 1, 0)
+        after = max(int(np.searchsorted(s, piece.to_s, side="left")), first + 1)
+        nodes = np.clip(s[first : after + 1], piece.from_s, piece.to_s)
+        times = np.diff(timing.time_at(nodes))
+        segment = np.searchsorted(piece.path.segment_starts, nodes[:-1], side="right") - 1
+        numbers = np.zeros(len(segment), dtype=np.int64)
+        if timing.active is not None:
+            team = _team_of(simulation, robot_run, piece)
+            active = timing.active[first:after]
+            kinds = len(timing.limiters)
+            cases, case = np.unique(segment * kinds + active, return_inverse=True)
+            found = []
+            for number, kind in (divmod(each, kinds) for each in cases.tolist()):
+                limit = _limit(timing.limiters[kind], number, robot_run, team)
+                found.append(limits.setdefault(limit, len(limits)))
+            numbers = np.array(found)[case]
+        columns.append((place + nodes[:-1] - piece.from_s, piece.first + segment, numbers, times))
+        place += piece.to_s - piece.from_s
+    if not columns:
+        nothing = np.zeros(0, dtype=np.int64)
+        return ActiveLimits(
+            robot_run.trajectory, tuple(limits), np.zeros(0), nothing, nothing, np.zeros(0)
+        )
+    return ActiveLimits(
+        robot_run.trajectory, tuple(limits), *map(np.concatenate, zip(*columns, strict=True))
+    )
+
+
+def limits_of_moves(simulation: Simulation) -> Mapping[int, str]:
+    """Return the limit that is active for most of the time of each move that takes time.
+
+    Moves have their numbers in `Simulation.moves`.
+    """
+    return {
+        offset + number: text
+        for robot, offset in zip(simulation.robots, simulation.move_offsets, strict=True)
+        for number, text in enumerate(active_limits(simulation, robot).of_moves)
+        if text
+    }
+
+
+def most_frequent(limits: Mapping[int, str], moves: Iterable[int]) -> str:
+    """Return the limit of most of some moves; empty if none is known."""
+    counted = Counter(limits[number] for number in moves if number in limits)
+    return next((text for text, _ in counted.most_common(1)), "")
+
+
+def _team_of(
+    simulation: Simulation, robot_run: RobotRun, piece: Piece
+) -> Sequence[tuple[RobotRun, Piece]]:
+    """Return the robots of a team, in its order, with the same piece of their motion as planned."""
+    if len(simulation.robots) == 1:
+        return [(robot_run, piece)]
+    planned = next(
+        one
+        for one in robot_run.trajectory.pieces
+        if one.path is piece.path and one.first == piece.first
+    )
+    return [
+        (robot, one)
+        for robot in simulation.robots
+        for one in robot.trajectory.pieces
+        if one.timing is planned.timing
+    ]
+
+
+def _limit(
+    limiter: Limiter, segment: int, robot_run: RobotRun, team: Sequence[tuple[RobotRun, Piece]]
+) -> ActiveLimit:
+    """Return the limit of a segment of a piece, from the point of view of one robot of a team."""
+    text, axis = str(limiter), limiter.axis
+    if limiter.robot is not None:
+        setter, piece = team[limiter.robot]
+        move = setter.move(piece.first + segment)
+        if move is not None:
+            text = f"{limiter} of {setter.task}, {_programmed(limiter.quantity, move)}"
+    elif axis is not None and len(team) > 1:
+        for robot, piece in team:
+            own = piece.path.axis_count
+            if axis <= own:
+                own_text = str(Limiter(limiter.quantity, axis))
+                text = own_text if robot is robot_run else f"{own_text} of {robot.task}"
+                break
+            axis -= own
+    return ActiveLimit(limiter.quantity, text, axis)
+
+
+def _programmed(quantity: Quantity, move: ExecutedMove) -> str:
+    match quantity:
+        case Quantity.DURATION:
+            return f"{move.move.duration_s:g} s"
+        case Quantity.REORIENTATION_SPEED:
+            return f"{move.move.speed.v_ori:g} deg/s"
+        case _:
+            return f"{move.move.speed.v_tcp:g} mm/s"
