@@ -101,20 +101,28 @@ def test_a_ramp_averages_the_place_of_the_command(segments: list[Segment], share
     assert seen_s == pytest.approx(time + wide + FILTER, abs=1e-9)
 
 
+def with_ramp(segments: list[Segment], ramp: float) -> Trajectory | None:
+    """The block with one ramp for all of its moves."""
+    return driven([replace(one, ramp=ramp, stop_ramp=ramp) for one in segments], MODEL)
+
+
 @examples(30)
 @given(segments=ramped(), ramp=st.sampled_from([0.8, 0.5, 0.2, 0.1, None]))
-def test_ramps_need_no_more_torque_and_no_less_time(
-    segments: list[Segment], ramp: float | None
-) -> None:
-    if ramp is not None:
-        segments = [replace(one, ramp=ramp, stop_ramp=ramp) for one in segments]
-    gentle = driven(segments, MODEL)
-    plain = driven([replace(one, ramp=1.0, stop_ramp=1.0) for one in segments], MODEL)
+def test_ramps_need_no_more_torque(segments: list[Segment], ramp: float | None) -> None:
+    gentle = driven(segments, MODEL) if ramp is None else with_ramp(segments, ramp)
+    plain = with_ramp(segments, 1.0)
     if gentle is None or plain is None or gentle.length == 0.0:
         return
-    assert gentle.duration > plain.duration - 1e-6
     limit = max(1.0, excess_of(command_of(plain), LIMITS).axis_acceleration)
     assert excess_of(ramped_command_of(gentle), LIMITS).axis_acceleration < 1.05 * limit
+
+
+@examples(20)
+@given(segments=ramped(), ramp=st.sampled_from([0.8, 0.5, 0.2]))
+def test_a_lower_ramp_takes_no_less_time(segments: list[Segment], ramp: float) -> None:
+    higher, lower = with_ramp(segments, ramp), with_ramp(segments, 0.5 * ramp)
+    if higher is not None and lower is not None:
+        assert lower.duration > higher.duration - 1e-6
 
 
 @pytest.mark.parametrize(("ramp", "more"), [(1.0, 0.0), (0.5, 0.08), (0.25, 0.24), (0.1, 0.72)])

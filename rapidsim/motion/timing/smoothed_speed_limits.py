@@ -65,6 +65,22 @@ def held_speeds(places: Array, speeds: Array, needed: Mask, window: float) -> Ar
     return np.minimum(held, speeds)
 
 
+def level_speeds(places: Array, speeds: Array, needed: Mask, window: float) -> Array:
+    """Return maximum speeds of the command as `held_speeds`, for a wide window.
+
+    All lines are level, and each is as long as the command travels at its speed in half of the
+    window; at the maximum speeds around it would travel much farther.
+    """
+    reach = _REACH * window * speeds
+    # A point beyond each end represents the interval between.
+    first = np.maximum(np.searchsorted(places, places - reach, side="left") - 1, 0)
+    after = np.minimum(np.searchsorted(places, places + reach, side="right") + 1, len(places))
+    held = speeds.copy()
+    level = np.zeros(len(places))
+    _keep_below_lines(held, places, speeds, level, np.flatnonzero(needed), first, after)
+    return held
+
+
 def _slopes(places: Array, speeds: Array, at: Index, first: Index, last: Index) -> Array:
     """Return slopes (j,) [1/s] of the lines to keep below around points (j,), 0 for level ones.
 

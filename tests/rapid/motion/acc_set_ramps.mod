@@ -33,8 +33,8 @@ MODULE acc_set_ramps
     TPWrite "three: "\Bool:=is(three_lines()-full,3*smoothing);          ! -> three: TRUE
     ! On the way a lower ramp acts within a second of its move, a higher one from the next stop on.
     full:=round_a_corner(100,100);
-    TPWrite "lower: "\Bool:=is(round_a_corner(100,50)-full,0.105);       ! -> lower: TRUE
-    TPWrite "higher: "\Bool:=is(round_a_corner(50,100)-full,0.105);      ! -> higher: TRUE
+    TPWrite "lower: "\Bool:=is(round_a_corner(100,50)-full,0.092);       ! -> lower: TRUE
+    TPWrite "higher: "\Bool:=is(round_a_corner(50,100)-full,0.092);      ! -> higher: TRUE
     TPWrite "after it: "\Bool:=is(round_a_corner(100,100)-full,0);  ! -> after it: TRUE
   ENDPROC
 
