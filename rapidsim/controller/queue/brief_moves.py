@@ -22,6 +22,8 @@ from rapidsim.motion.model import MotionModel
 WAIT_BEFORE, WAIT_AFTER = 0.85, 0.3
 """Shares of the time at a stop point that remain before and after such a move."""
 _TORQUE = 0.5
+_LONGEST_S = 0.1
+"""Longest command [s] of such a move, also where a stop point takes longer."""
 
 
 def shares_a_wait(
@@ -31,10 +33,11 @@ def shares_a_wait(
     model = members[0].model
     if any(one.segment.zone or one.segment.duration for one in parts) or not _waits(model):
         return False
-    if max(nominal_s(one.segment) for one in parts) >= model.dwell:
+    longest_s = min(model.dwell, _LONGEST_S)
+    if max(nominal_s(one.segment) for one in parts) >= longest_s:
         return False
     _, timing = planner.plan([[one] for one in parts])
-    return 0.0 < timing.duration < model.dwell
+    return 0.0 < timing.duration < longest_s
 
 
 def with_less_torque(queued: QueuedMove) -> None:
