@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from bisect import bisect_left, bisect_right
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from typing import TypeAlias
 
@@ -15,6 +15,7 @@ from rapidsim.syntax.lexer import Tokens, lex
 from rapidsim.syntax.parser import parse_tokens
 from rapidsim.syntax.routine_text import (
     ParsedItems,
+    ParsedRoutine,
     item_ranges,
     parse_data,
     parse_items,
@@ -84,6 +85,20 @@ class _Fault:
             one.span is not None and item.header_end <= one.span.start < item.end
             for one in self.diagnostics
         )
+
+
+@value_class(frozen=True, slots=True, eq=False)
+class _ParsedRange:
+    """Pieces of a module that were parsed together."""
+
+    first: int
+    stop: int
+    """The last one in the module."""
+    last: int
+    """The last one on which errors in them may depend; may be behind the module."""
+    parsed: ParsedItems
+    same_items: Mapping[int, tree.Item]
+    """The items before that stay, by address."""
 
 
 class FileUnits:
@@ -180,25 +195,29 @@ class FileUnits:
         own = [one for one in near if one.is_in(item)]
         before = [one for one in near if one not in own]
         behind = [one for one in self._faults if piece < one.first <= piece + _REACH]
+        edited: Edited | None = None
         if before:
-            return self._parse_around(piece)
-        if isinstance(item, tree.Data) and not (own or behind or piece in self._comments):
+            pass
+        elif isinstance(item, tree.Data):
             value = item.value
-            data = None
-            if value is not None and address >= value.start:
+            is_plain = not (own or behind or piece in self._comments)
+            if is_plain and value is not None and address >= value.start:
                 data = parse_data(self.source, start, end, item, module)
-            if data is not None:
-                return EditedData(item, module, data)
-        if isinstance(item, tree.RoutineNode) and address >= item.header_end:
+                edited = None if data is None else EditedData(item, module, data)
+        elif isinstance(item, tree.RoutineNode) and address >= item.header_end:
             parsed = parse_routine(self.source, start, end, item, module)
             # A correction at the end of a routine looks a few tokens further.
             if parsed is not None and not ((own or parsed.diagnostics) and behind):
-                self._comments[piece] = list(parsed.comments)
-                self._faults = [one for one in self._faults if one not in own]
-                if parsed.diagnostics:
-                    self._faults.append(_Fault(piece, piece + _REACH, parsed.diagnostics))
-                return EditedRoutine(item, module, parsed.routine)
-        return self._parse_around(piece)
+                self._take_body(piece, parsed, own)
+                edited = EditedRoutine(item, module, parsed.routine)
+        return edited or self._parse_around(piece)
+
+    def _take_body(self, piece: int, parsed: ParsedRoutine, own: Sequence[_Fault]) -> None:
+        """Replace comments and errors of a piece with those of its new routine."""
+        self._comments[piece] = list(parsed.comments)
+        self._faults = [one for one in self._faults if one not in own]
+        if parsed.diagnostics:
+            self._faults.append(_Fault(piece, piece + _REACH, parsed.diagnostics))
 
     def _alone(self, piece: int) -> tree.Routine | tree.Data | None:
         """The only item of a piece, if it can be parsed alone."""
@@ -229,6 +248,35 @@ class FileUnits:
     def _parse_around(self, piece: int) -> EditedItems | None:
         """Parse a piece whose text changed, with as many others as may read otherwise now."""
         module = self._items[piece][0]
+        found = self._parsed_range(piece, module)
+        if found is None:
+            return None
+        parsed, pieces = found.parsed, range(found.first, found.stop + 1)
+        homes = [self.source.piece_of(item.start) for item in parsed.items]
+        if any(home not in pieces for home in homes):
+            # The end of the module was skipped with an item.
+            return None
+        removed = [item for one in pieces for item in self._items[one][1]]
+        added = [found.same_items.get(item.start, item) for item in parsed.items]
+        self._faults = [one for one in self._faults if not found.first <= one.first <= found.last]
+        if parsed.diagnostics:
+            self._faults.append(_Fault(found.first, found.last, parsed.diagnostics))
+        for one in pieces:
+            self._items[one] = module, ()
+            self._comments.pop(one, None)
+        for home, item in zip(homes, added, strict=True):
+            self._items[home] = module, (*self._items[home][1], item)
+        for comment in parsed.comments:
+            self._comments.setdefault(self.source.piece_of(comment.start), []).append(comment)
+        stay = set(found.same_items.values())
+        return EditedItems(
+            module,
+            tuple(item for item in removed if item not in stay),
+            tuple(item for item in added if item not in stay),
+        )
+
+    def _parsed_range(self, piece: int, module: tree.Module) -> _ParsedRange | None:
+        """Parse pieces around one, more of them until those at the end read as before."""
         inner = [one for one, (home, _) in self._items.items() if home is module]
         first, last = piece, piece + _REACH * bool(self._faults)
         while True:
@@ -247,31 +295,8 @@ class FileUnits:
             kept, reach = self._unchanged(parsed, piece, begin, stop)
             is_faulty = bool(parsed.diagnostics)
             if reach + _REACH * is_faulty <= last or closes:
-                break
+                return _ParsedRange(begin, stop, last, parsed, kept)
             last = max(reach + _REACH, last + (last - first))
-        first = begin
-        pieces = [self.source.piece_of(item.start) for item in parsed.items]
-        if pieces and not first <= min(pieces) <= max(pieces) <= stop:
-            # The end of the module was skipped with an item.
-            return None
-        removed = [item for one in range(first, stop + 1) for item in self._items[one][1]]
-        added = [kept.get(item.start, item) for item in parsed.items]
-        self._faults = [one for one in self._faults if not first <= one.first <= last]
-        if parsed.diagnostics:
-            self._faults.append(_Fault(first, last, parsed.diagnostics))
-        for one in range(first, stop + 1):
-            self._items[one] = module, ()
-            self._comments.pop(one, None)
-        for one, item in zip(pieces, added, strict=True):
-            self._items[one] = module, (*self._items[one][1], item)
-        for comment in parsed.comments:
-            self._comments.setdefault(self.source.piece_of(comment.start), []).append(comment)
-        stay = set(kept.values())
-        return EditedItems(
-            module,
-            tuple(item for item in removed if item not in stay),
-            tuple(item for item in added if item not in stay),
-        )
 
     def _begin(self, piece: int, module: tree.Module) -> int | None:
         """The last piece with an item before another piece, as a correction may look at its end.
