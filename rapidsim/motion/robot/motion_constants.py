@@ -14,6 +14,8 @@ from rapidsim.motion.robot.catalogue import CatalogueEntry
 from rapidsim.motion.robot.dynamics import Dynamics, ElbowDynamics, Torques
 from rapidsim.motion.robot.known_constants import MeasuredConstants
 from rapidsim.motion.robot.scaled_torques import (
+    LARGE,
+    LEAST_WRIST_S,
     scaled_torques,
     torques_of_version_2,
     wrist_time,
@@ -21,13 +23,10 @@ from rapidsim.motion.robot.scaled_torques import (
 from rapidsim.motion.robot.scara_dynamics import ScaraDynamics, links_by_lengths
 from rapidsim.values import value_class
 
-_LARGE = 2.55
-"""Reach [m] of the large measured arm."""
 _SHORT = 1.2
 """Reach [m] below which cycle times are less certain."""
 _PALLETIZER_S = 0.12
 """Time [s] in which axes of palletizers reach their speed; assumed."""
-_LEAST_WRIST_S = 0.04
 _MEASURED_FACTOR = 1.05
 _SCALED_FACTOR = 1.5
 
@@ -172,7 +171,7 @@ def _of_scara(
     speeds = _speeds(entry)
     if entry.maker != "ABB" or entry.payload_kg is None or len(speeds) != len(entry.limits):
         return unknown
-    turn = speeds[3] / _LEAST_WRIST_S
+    turn = speeds[3] / LEAST_WRIST_S
     return replace(
         unknown,
         dynamics=ScaraDynamics(links_by_lengths(geometry), geometry, entry.payload_kg, turn),
@@ -235,7 +234,7 @@ def zone_share(reach: float) -> float:
 
     It falls as the smoothing rises: corners are limited by the natural period of the arm.
     """
-    return min(1.0, ZONE_SHARE * pow(_LARGE / reach, 0.35))
+    return min(1.0, ZONE_SHARE * pow(LARGE / reach, 0.35))
 
 
 def _known_torques(measured: MeasuredConstants, speeds: tuple[float, ...], reach: float) -> Torques:

@@ -7,6 +7,7 @@ scale from axis speeds and reach, as accelerations of the stretched arm without 
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 from math import atan2, log, pow, sqrt
 
 from rapidsim.motion.kinematics.closed_form.opw_geometry import OpwGeometry
@@ -16,9 +17,12 @@ from rapidsim.values import value_class
 _KAPPA = 0.46
 _E_OF_D = 0.4
 _ROD_OF_POINT = 3.05
-_SMALL, _MEDIUM, _LARGE = 0.9, 1.5, 2.55
-"""Reaches [m] of the small and the large measured arm, and the reach up to which d / c is that of
-the small one."""
+LARGE = 2.55
+"""Reach [m] of the large measured arm."""
+_SMALL, _MEDIUM = 0.9, 1.5
+"""Reach [m] of the small measured arm, and the reach up to which d / c is that of the small one."""
+LEAST_WRIST_S = 0.04
+"""Time [s] in which the wrist axes of the smallest arms reach their speed."""
 _SHORT, _LONG, _SHORT_FACTOR = 0.9, 1.2, 1.1
 """Factor on the accelerations of arms up to the first reach [m], 1 from the second on."""
 
@@ -47,10 +51,9 @@ def shape_by_lengths(geometry: OpwGeometry, reach: float) -> InertiaShape:
 
 def torques_of_version_2(geometry: OpwGeometry, speeds: Sequence[float], reach: float) -> Torques:
     """Return the torque constants of version 2 of the motion model; see `scaled_torques`."""
-    x, z = 0.68 * geometry.c3, -1.2 * geometry.a2
     return _torques(
         geometry,
-        InertiaShape(x, z, _ROD_OF_POINT, 0.3, -atan2(x, z)),
+        replace(shape_by_lengths(geometry, reach), d_of_c=0.3),
         (
             speeds[0] / (0.165 * reach),
             speeds[1] / (0.168 * reach),
@@ -93,7 +96,7 @@ def scaled_torques(
 
 def wrist_time(reach: float) -> float:
     """Time [s] in which wrist axes reach their speed: measured at 2.55 m, at most this at 0.9 m."""
-    return max(0.04, 0.055 * pow(reach / _SMALL, 0.87))
+    return max(LEAST_WRIST_S, 0.055 * pow(reach / _SMALL, 0.87))
 
 
 def _torques(
@@ -131,7 +134,7 @@ def _torques(
 
 def _between(reach: float, lower: float, small: float, large: float) -> float:
     """Interpolate by the logarithm of the reach from `lower` to that of the large arm."""
-    return small + (large - small) * _share(reach, lower, _LARGE)
+    return small + (large - small) * _share(reach, lower, LARGE)
 
 
 def _share(reach: float, lower: float, upper: float) -> float:
