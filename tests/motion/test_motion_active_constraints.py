@@ -147,7 +147,7 @@ def misnamed(
     problem = problem_of(path, cells_of(path, limits, 0.0), limits)
     division, motion = fastest_drive(problem, 0.0)
     if ramp < 1.0:
-        motion = ramped_drive(problem, division, 0.0, undisturbed)
+        motion = ramped_drive(problem, division, motion, 0.0, undisturbed)
     every = {*problem.speeds.limiters, *problem.accelerations.limiters}
     before_s = float(motion.times.sum())
     for stretch in stretches(problem, motion):

@@ -60,7 +60,7 @@ def plan(
         problem = at_pace(problem, paces)
         motion = drive(problem, division, start_speed)
     if path.ramp_windows.any():
-        motion = ramped_drive(problem, division, start_speed, check_deadline)
+        motion = ramped_drive(problem, division, motion, start_speed, check_deadline)
     limiters, active = active_limits(problem, motion)
     nodes, speed, standing = with_rests(path, motion.stages.nodes, np.sqrt(motion.x))
     return TimeScaling(

@@ -36,19 +36,28 @@ _LATER = (0.0, 0.5, 1.0, 2.0, 4.0)
 
 
 def ramped_drive(
-    problem: Problem, division: Division, start_speed: float, check_deadline: Look
+    problem: Problem,
+    division: Division,
+    free: StageMotion,
+    start_speed: float,
+    check_deadline: Look,
 ) -> StageMotion:
     """Return the fastest motion that holds low speeds as the ramps of its path require.
 
     Args:
         problem: The limits.
         division: The stages of the motion without held speeds.
+        free: That motion.
         start_speed: Path speed [m/s] at its start.
         check_deadline: Called regularly.
     """
-    division = _divided(problem, division, start_speed)
-    free, speeds = drive(problem, division, start_speed), _speeds(problem, division, start_speed)
-    nodes = division.stages.nodes
+    speeds = _speeds(problem, division, free)
+    parts = _parts(problem, division, speeds)
+    if parts is None:
+        return free
+    division = division.cut(problem, parts)
+    free = drive(problem, division, start_speed)
+    nodes, speeds = division.stages.nodes, _speeds(problem, division, free)
     windows = _windows_at(problem, nodes)
     too_fast = _faster(problem.path, nodes, speeds, windows)
     slow_enough = min(start_speed**2, free.fastest_start) * (1.0 - _TOLERANCE)
@@ -69,12 +78,13 @@ def ramped_drive(
     return free
 
 
-def _speeds(problem: Problem, division: Division, start_speed: float) -> Array:
+def _speeds(problem: Problem, division: Division, free: StageMotion) -> Array:
     """Return the speeds (m + 1,) [m/s] at all nodes without held ones, also before the start."""
-    whole = replace(division, driven=0)
     if division.driven:
-        start_speed = float(np.sqrt(drive(problem, whole, 0.0).fastest_start))
-    speeds: Array = np.sqrt(drive(problem, whole, start_speed).x)
+        whole = replace(division, driven=0)
+        fastest = float(np.sqrt(drive(problem, whole, 0.0).fastest_start))
+        free = drive(problem, whole, fastest)
+    speeds: Array = np.sqrt(free.x)
     return speeds
 
 
@@ -100,18 +110,18 @@ def _faster(path: Path, nodes: Array, speeds: Array, windows: Array) -> Mask:
     return faster
 
 
-def _divided(problem: Problem, division: Division, start_speed: float) -> Division:
-    """Divide the stages around places where the speed will be held."""
-    nodes, speeds = division.stages.nodes, _speeds(problem, division, start_speed)
+def _parts(problem: Problem, division: Division, speeds: Array) -> Index | None:
+    """Return parts (m,) of the stages around places where the speed will be held; None if none."""
+    nodes = division.stages.nodes
     windows = _windows_at(problem, nodes)
-    times = TimeScaling(nodes, speeds, 0.0).times
     faster = _faster(problem.path, nodes, speeds, windows)
     if not faster.any():
-        return division
+        return None
+    times = TimeScaling(nodes, speeds, 0.0).times
     widest = float(windows.max())
     near = least_around(np.where(faster, 0.0, 1.0), within(times, widest)) == 0.0
     beside = near[1:] | near[:-1]
     parts: Index = np.ones(len(times) - 1, dtype=np.int64)
     least = widest / _STAGES
     parts[beside] = np.ceil(np.diff(times)[beside] / least).clip(1, _MOST_PARTS).astype(np.int64)
-    return division.cut(problem, parts)
+    return parts
