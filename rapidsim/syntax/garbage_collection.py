@@ -11,21 +11,27 @@ _SELDOM = 70_000
 _OFTEN = 700
 """Number of new objects after which the collector runs in a permanent process."""
 
+_frozen = False
+"""Whether objects are known to be frozen. Python counts them one by one, which takes longer than
+checking a program where a million are frozen."""
+
 
 @contextmanager
 def gc_paused() -> Iterator[None]:
     """Pause the collector, which would traverse a growing tree repeatedly.
 
     What was created meanwhile counts as old afterwards, or the next new object would cause a
-    traversal of all of it.
+    traversal of all of it. A process that has frozen objects keeps them so.
     """
+    global _frozen
     was_enabled = gc.isenabled()
     gc.disable()
     try:
         yield
     finally:
         if was_enabled:
-            if not gc.get_freeze_count():
+            _frozen = _frozen or gc.get_freeze_count() > 0
+            if not _frozen:
                 gc.freeze()
                 gc.unfreeze()
             gc.enable()
@@ -48,6 +54,7 @@ def gc_for_server() -> Iterator[None]:
     Each connection leaves some garbage with reference cycles. Python scans all old objects only
     after their number has grown by a quarter, and so much garbage would accumulate.
     """
+    global _frozen
     gc.collect()
     gc.freeze()
     try:
@@ -55,6 +62,7 @@ def gc_for_server() -> Iterator[None]:
             yield
     finally:
         gc.unfreeze()
+        _frozen = False
 
 
 @contextmanager

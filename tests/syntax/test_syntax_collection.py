@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import gc
 import weakref
+from unittest.mock import patch
 
-from rapidsim.syntax.garbage_collection import gc_for_server, gc_rarely
+from rapidsim.syntax.garbage_collection import gc_for_server, gc_paused, gc_rarely
 
 
 class _Connection:
@@ -34,3 +35,12 @@ def test_what_was_there_is_looked_through_again_when_the_process_goes_on_otherwi
     with gc_for_server():
         assert gc.get_freeze_count() > before
     assert (gc.get_threshold(), gc.get_freeze_count()) == (thresholds, 0)
+
+
+def test_frozen_objects_are_counted_once_and_stay_frozen() -> None:
+    with gc_for_server(), patch.object(gc, "get_freeze_count", wraps=gc.get_freeze_count) as count:
+        for _ in range(3):
+            with gc_paused():
+                pass
+        assert count.call_count <= 1
+        assert gc.get_freeze_count() > 0
