@@ -118,7 +118,7 @@ class Cell:
         self,
         *,
         proc: str = "main",
-        io: PathLike_ | None = None,
+        io: PathLike_ | Mapping[str, object] | None = None,
         answers: PathLike_ | Sequence[str] | Callable[[str], str | None] | None = None,
         home: PathLike_ | None = None,
         max_time_s: float = 3600.0,
@@ -130,7 +130,8 @@ class Cell:
 
         Args:
             proc: The procedure to run.
-            io: A file of signals and what happens to inputs; adds to the station.
+            io: Signals and what happens to inputs; adds to the station. A file, or its tables as
+                Python has them, such as `{"stimulus": [{"at": 2.0, "set": {"diStop": 1}}]}`.
             answers: What the operator answers: a file, the answers in order, or a function of the
                 question. Without answers, a question gets its default, and a finding reports it.
             home: The folder for HOME:; None takes the one of `load`.
@@ -152,7 +153,7 @@ class Cell:
         asked = replace(
             self._with(max_time_s, max_wall_s, home),
             entry=proc,
-            io=None if io is None else fspath(io),
+            io=fspath(io) if isinstance(io, str | PathLike) else io,
             answers=None if answers is None else _answers(answers),
             max_cycles=cycles,
             starts_at=starts_at,

@@ -98,9 +98,9 @@ class TaskSignals:
                     return False
                 alone = not self.cell.is_shared
                 if alone and math.isinf(deadline_s) and self._is_vain((name,)):
-                    raise WaitsForever(f"`{name}` is waited for, but nothing ever changes it")
+                    raise WaitsForever(f"`{name}` is waited for, but nothing will change it")
                 if not self.clock.await_event(deadline_s):
-                    raise WaitsForever(f"`{name}` is waited for, but nothing ever changes it")
+                    raise WaitsForever(f"`{name}` is waited for, but nothing will change it")
             wait.ended_by = self.cell.last_change((name,), now_s) or SATISFIED
         return True
 

@@ -228,6 +228,15 @@ def _paths(reader: Reader, table: Table, path: str, key: str) -> tuple[Path, ...
     return tuple(file for file in files if file is not None)
 
 
+def _occurrences(reader: Reader, table: Table, path: str, key: str) -> tuple[int, ...] | None:
+    """Return whole numbers from 1 up."""
+    numbers = reader.numbers(table, path, key, None) or ()
+    if all(number >= 1 and number == int(number) for number in numbers):
+        return tuple(map(int, numbers)) or None
+    reader.wrong(f"{path}.{key}", "whole numbers from 1 up are needed; the first time is 1")
+    return None
+
+
 def _date(reader: Reader, table: Table, path: str, key: str) -> datetime | None:
     """Return a date with a time, without a zone: it is what the controller's clock shows."""
     value = table[key]
@@ -256,6 +265,7 @@ _CONVERSIONS: Mapping[Any, Conversion] = {
     datetime: _date,
     Condition: _condition,
     tuple[str, ...]: Reader.texts,
+    tuple[int, ...]: _occurrences,
     Mapping[str, float]: _levels,
     NumberRange.LEVEL: Reader.level,
     NumberRange.NOT_NEGATIVE: Reader.not_negative,

@@ -9,7 +9,7 @@ Each missing key has the value of the controller backup, if there is one.
 from __future__ import annotations
 
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, cast
 
 from rapidsim.controller.cell.conveyors import ConveyorScript
 from rapidsim.controller.cell.description import CellIo, DescribedFingers
@@ -27,7 +27,7 @@ from rapidsim.station.sockets import read_sockets
 from rapidsim.station.station import Station
 from rapidsim.station.stimuli import read_stimuli
 from rapidsim.station.tasks import read_tasks
-from rapidsim.station.toml_reader import Reader, Table, read_toml
+from rapidsim.station.toml_reader import Reader, Table, as_toml, read_toml
 
 if TYPE_CHECKING:
     from rapidsim.collisions.geometry import CellGeometry
@@ -106,14 +106,18 @@ def read_station(file: Path, backup: Station = NO_BACKUP) -> Station:
     return station
 
 
-def read_io(file: Path) -> CellIo:
-    """Read a file of signals, cross connections and stimuli.
+def read_io(source: Path | Table) -> CellIo:
+    """Read signals, cross connections, stimuli and the like from a file, or from its tables.
+
+    Files that tables name are in the working directory.
 
     Raises:
         InputError: See `read_station`.
     """
-    table = read_toml(file)
-    reader = Reader(file)
+    if isinstance(source, Path):
+        table, reader = read_toml(source), Reader(source)
+    else:
+        table, reader = cast(Table, as_toml(source)), Reader(Path("io"))
     reader.note_unknown_keys("", table, _IO_KEYS)
     io = _io(reader, table)
     reader.finish()

@@ -1,10 +1,11 @@
-"""The tables [[stimulus]]: changes of inputs from outside the program. A gripper is five lines:
+"""The tables [[stimulus]]: changes of inputs from outside the program. A gripper that fails once:
 
 [[stimulus]]
 when = "doGrip = 1"
 after = 0.4
 set = { diGripped = 1 }
 pulse = 2.0
+skip = [2]
 """
 
 from __future__ import annotations
@@ -23,6 +24,9 @@ def read_stimuli(reader: Reader, tables: Table) -> tuple[Stimulus, ...]:
             reader.wrong(path, "`when` waits for signals, `at` and `every` for the clock; give one")
         elif not {"when", "at", "every"} & set(table):
             reader.wrong(path, "give `at`, `every` or `when`")
+        for key in {"nth", "skip"} & set(table):
+            if not {"when", "every"} & set(table):
+                reader.wrong(f"{path}.{key}", "it counts how often `when` is met, or `every`")
         every_s, pulse_s = found.get("every_s"), found.get("pulse_s")
         if every_s is not None and pulse_s is not None and pulse_s >= every_s:
             reader.wrong(f"{path}.pulse", f"{pulse_s:g} s is not shorter than every, {every_s:g} s")

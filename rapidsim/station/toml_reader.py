@@ -164,6 +164,17 @@ def read_toml(file: Path) -> Table:
         raise InputError(f"{file} is nested too deeply") from None
 
 
+def as_toml(value: object) -> object:
+    """Return a value with lists and dicts for sequences and mappings, as TOML has them."""
+    match value:
+        case Mapping():
+            return {str(key): as_toml(one) for key, one in value.items()}
+        case list() | tuple():
+            return [as_toml(one) for one in value]
+        case _:
+            return value
+
+
 def is_number(value: object) -> TypeGuard[float]:
     """Whether a TOML value is a finite number."""
     if isinstance(value, bool) or not isinstance(value, int | float):

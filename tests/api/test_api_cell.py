@@ -43,6 +43,30 @@ def test_a_run_is_what_the_command_says(run: Run, tmp_path: Path) -> None:
     assert run.moves[0].joints_deg[4] == pytest.approx(40.0)
 
 
+def test_the_second_grip_fails() -> None:
+    gripped = {"when": "doGrip = 1", "after": 0.35, "set": {"diGripped": 1, "diPart": 0}}
+    cell = rapidsim.load(CELL)
+    as_ever = cell.run(io={"stimulus": [gripped]})
+    assert as_ever.time_s == cell.run().time_s
+    failed = cell.run(io={"stimulus": [{**gripped, "skip": (2,)}]})
+    assert failed.error is not None
+    assert (failed.end, failed.error.code, failed.error.line) == ("error", "R106", 31)
+    edges = failed.signals["diGripped"].edges
+    assert sum(edge.new == 1.0 for edge in edges) == 1
+    assert edges == as_ever.signals["diGripped"].edges[: len(edges)]
+
+
+def test_tables_from_python_and_a_file_are_the_same(tmp_path: Path) -> None:
+    file = tmp_path / "io.toml"
+    file.write_text('[signals]\ndiSpare = { type = "di", value = 1 }\n')
+    tables = {"signals": {"diSpare": {"type": "di", "value": 1}}}
+    cell = rapidsim.load(PROGRAMS / "waits.mod")
+    by_file, by_tables = (cell.run(answers=["5"], io=one) for one in (file, tables))
+    assert by_file.as_json() == by_tables.as_json()
+    with pytest.raises(rapidsim.InputError, match="io: signal: no such key"):
+        cell.run(io={"signal": {}})
+
+
 def test_waits_say_for_what_and_by_whom_they_ended(run: Run) -> None:
     told = [(wait.line, wait.instruction, wait.awaited, wait.ended_by) for wait in run.waits]
     assert told == [

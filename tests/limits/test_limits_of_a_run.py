@@ -42,7 +42,7 @@ def main(body: str, declarations: str = "") -> str:
 def test_a_wait_on_a_signal_that_nobody_drives(tmp_path: Path) -> None:
     it = run(main("    WaitDI diNobody,1;"), tmp_path)
     assert it.code == 1
-    assert "`diNobody` is waited for, but nothing ever changes it" in it.out
+    assert "`diNobody` is waited for, but nothing will change it" in it.out
     assert "job.mod:4:5 in main" in it.out
 
 

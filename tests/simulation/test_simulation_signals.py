@@ -7,7 +7,7 @@ from simulation_program import Ran, ran
 
 from rapidsim.controller.cell.description import CellIo
 from rapidsim.controller.journal.events import EventKind
-from rapidsim.files import SourceFile
+from rapidsim.files import InputError, SourceFile
 from rapidsim.jobs.checking.checked_program import load
 from rapidsim.station.cell_names import declared_names
 from rapidsim.station.read import read_io
@@ -101,6 +101,55 @@ def test_stimuli_come_by_the_clock_and_after_conditions(tmp_path: Path) -> None:
     assert times_of(done, "diTick = 1") == [1.0, 3.0]
     assert times_of(done, "diTick = 0") == [1.5, 3.5]
     assert times_of(done, "giCount = 2") == [1.25]
+
+
+def test_a_stimulus_acts_at_the_occurrences_that_it_names(tmp_path: Path) -> None:
+    world = io(
+        tmp_path,
+        """
+        [[stimulus]]
+        when = "doAsk = 1"
+        after = 0.25
+        set = { diAll = 1 }
+        pulse = 0.1
+        [[stimulus]]
+        when = "doAsk = 1"
+        set = { diNotSecond = 1 }
+        pulse = 0.1
+        skip = [2]
+        [[stimulus]]
+        at = 0.5
+        every = 1
+        set = { diTick = 1 }
+        pulse = 0.1
+        nth = [4, 1]
+        [[stimulus]]
+        every = 2
+        set = { diTock = 1 }
+        pulse = 0.1
+        skip = [1, 2]
+        """,
+    )
+    done = run("FOR i FROM 1 TO 3 DO\nPulseDO doAsk;\nWaitTime 2;\nENDFOR\nWaitTime 2;", world)
+    assert times_of(done, "diAll = 1") == [0.25001, 2.25002, 4.25003]
+    assert times_of(done, "diNotSecond = 1") == [1e-05, 4.00003]
+    assert times_of(done, "diTick = 1") == [0.5, 3.5]
+    assert times_of(done, "diTock = 1") == [6.0, 8.0]
+
+
+@pytest.mark.parametrize(
+    ("keys", "problem"),
+    [
+        ("at = 1\nset = { diA = 1 }\nskip = [1]", "skip: it counts how often `when` is met"),
+        ("every = 1\nset = { diA = 1 }\nnth = [0]", "nth: whole numbers from 1 up are needed"),
+        ("every = 1\nset = { diA = 1 }\nnth = [1]\nskip = [2]", "give `nth`, .* or `skip`"),
+    ],
+)
+def test_occurrences_are_whole_numbers_of_what_repeats(
+    tmp_path: Path, keys: str, problem: str
+) -> None:
+    with pytest.raises(InputError, match=problem):
+        io(tmp_path, f"[[stimulus]]\n{keys}")
 
 
 @pytest.mark.parametrize(

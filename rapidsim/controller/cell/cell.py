@@ -10,6 +10,7 @@ Passing time goes through `scheduler`, so that several tasks can share one clock
 from __future__ import annotations
 
 import math
+from collections import Counter
 from collections.abc import Callable, Iterable, Mapping, Set
 from types import FrameType
 from typing import Protocol
@@ -239,6 +240,7 @@ class Cell:
         self._last_changes: dict[str, _Change] = {}
         """Last change of each signal, by folded name."""
         self._true: set[int] = set()
+        self._occurrences: Counter[int] = Counter()
         """Indices of the stimuli whose condition holds."""
         sources = [cross.condition for cross in self._io.crosses]
         sources += [stimulus.when for stimulus in self._io.stimuli if stimulus.when]
@@ -421,10 +423,10 @@ class Cell:
         for index, stimulus in enumerate(self._io.stimuli):
             if stimulus.when is None:
                 first_s = stimulus.every_s if stimulus.at_s is None else stimulus.at_s
-                self._apply_stimulus(stimulus, first_s or 0.0)
+                self._repeat(stimulus, first_s or 0.0, 1)
             elif stimulus.when.holds(self.signals.read):
                 self._true.add(index)
-                self._apply_stimulus(stimulus, start.time_s + stimulus.after_s)
+                self._react(index, start.time_s)
 
     def _follow(self, name: str, cause: Cause, moment: Moment) -> None:
         """Update the signals that are connected to one that has changed."""
@@ -456,9 +458,24 @@ class Cell:
                 self._true.discard(index)
             elif index not in self._true:
                 self._true.add(index)
-                self._apply_stimulus(stimulus, moment.time_s + stimulus.after_s)
+                self._react(index, moment.time_s)
 
-    def _apply_stimulus(self, stimulus: Stimulus, time_s: float) -> None:
+    def _react(self, index: int, time_s: float) -> None:
+        """Schedule a stimulus whose condition became true, if it acts this time."""
+        self._occurrences[index] += 1
+        stimulus = self._io.stimuli[index]
+        occurrence = self._occurrences[index]
+        if stimulus.first_that_acts(occurrence) == occurrence:
+            self._apply_stimulus(stimulus, time_s + stimulus.after_s)
+
+    def _repeat(self, stimulus: Stimulus, time_s: float, occurrence: int) -> None:
+        """Schedule the next time that a stimulus of the clock acts, from an occurrence on."""
+        acting = stimulus.first_that_acts(occurrence)
+        if acting is not None:
+            skipped_s = (acting - occurrence) * (stimulus.every_s or 0.0)
+            self._apply_stimulus(stimulus, time_s + skipped_s, acting)
+
+    def _apply_stimulus(self, stimulus: Stimulus, time_s: float, occurrence: int = 1) -> None:
         """Apply a stimulus at a time, and schedule it again if it repeats."""
 
         def act(now: Moment) -> None:
@@ -470,7 +487,7 @@ class Cell:
                 if value != before[name]:
                     self.set_signal(self._outside_cause, now, name, value)
             if stimulus.every_s is not None:
-                self._apply_stimulus(stimulus, now.time_s + stimulus.every_s)
+                self._repeat(stimulus, now.time_s + stimulus.every_s, occurrence + 1)
 
         moment = Moment(Instant(time_s))
         self._scheduled.append(_ScheduledChange(moment, act, _folded(stimulus.values)))

@@ -9,6 +9,7 @@ import math
 from collections.abc import Mapping
 from dataclasses import replace
 from enum import StrEnum
+from itertools import count
 from typing import Annotated, Literal
 
 from rapidsim.controller.cell.camera_scripts import CameraScript
@@ -18,6 +19,7 @@ from rapidsim.controller.cell.part_poses import PartPose
 from rapidsim.controller.cell.socket_scripts import SocketScript
 from rapidsim.json_records.declarations import (
     AboveZero,
+    Excludes,
     Key,
     Needs,
     NotNegative,
@@ -156,6 +158,25 @@ class Stimulus:
     """New values of the signals."""
     pulse_s: Annotated[AboveZero | None, Key("pulse")] = None
     """After this time the signals return to their previous values."""
+    nth: Annotated[
+        tuple[int, ...],
+        Excludes("skip", "give `nth`, the times that it acts, or `skip`, those that it does not"),
+    ] = ()
+    """Occurrences at which it acts, the first is 1; empty for all."""
+    skip: tuple[int, ...] = ()
+    """Occurrences at which it does not act."""
+
+    def first_that_acts(self, occurrence: int) -> int | None:
+        """The first occurrence from one on at which it acts; None if there is none."""
+        if self.nth:
+            return min((one for one in self.nth if one >= occurrence), default=None)
+        return next(one for one in count(occurrence) if one not in self.skip)
+
+    def replaces(self, stimulus: Stimulus) -> bool:
+        """Whether it is about the same event and the same signals as another."""
+        names = {name.lower() for name in stimulus.values}
+        is_same_event = self.when is not None and self.when == stimulus.when
+        return is_same_event and {name.lower() for name in self.values} == names
 
 
 @value_class(frozen=True, slots=True, kw_only=True)
@@ -232,14 +253,17 @@ class CellIo:
     """Poses of the parts that a torch searches; the first that applies counts."""
 
     def and_also(self, other: CellIo) -> CellIo:
-        """Both combined; if both declare a signal, the other's declaration counts."""
+        """Both combined; what both declare, or drive at one event, is as the other says."""
         later = {signal.name.lower() for signal in other.signals}
         kept = tuple(signal for signal in self.signals if signal.name.lower() not in later)
+        driven = tuple(
+            one for one in self.stimuli if not any(new.replaces(one) for new in other.stimuli)
+        )
         return replace(
             self,
             signals=(*kept, *other.signals),
             crosses=(*self.crosses, *other.crosses),
-            stimuli=(*self.stimuli, *other.stimuli),
+            stimuli=(*driven, *other.stimuli),
             sockets=(*self.sockets, *other.sockets),
             cameras=(*self.cameras, *other.cameras),
             conveyors=(*self.conveyors, *other.conveyors),

@@ -106,7 +106,7 @@ class Job:
     @property
     def tables(self) -> tuple[Path, ...]:
         """Files that define changes of inputs."""
-        io = () if self.request.io is None else (Path(self.request.io),)
+        io = (Path(self.request.io),) if isinstance(self.request.io, str) else ()
         return (*(() if self.station.file is None else (self.station.file,)), *io)
 
     def entry(self, task: str) -> str:
@@ -163,7 +163,8 @@ def job(request: RunRequest, *, open_robot: OpenRobot | None = None) -> Job:
     if request.io is not None:
         from rapidsim.station.read import read_io
 
-        station = replace(station, io=station.io.and_also(read_io(Path(request.io))))
+        io = Path(request.io) if isinstance(request.io, str) else request.io
+        station = replace(station, io=station.io.and_also(read_io(io)))
     settings = choose_settings(request.paths, station.check)
     if request.fail_on is not None:
         settings = replace(settings, fail_on=request.fail_on)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import TYPE_CHECKING
 
 from rapidsim.diagnostics import Severity
@@ -35,8 +36,8 @@ class RunRequest:
     """Name of the only task to use; None for all tasks."""
     cell: RunOptions | None = None
     """Robot, motion model, signals and task from Python, which override the station file."""
-    io: str | None = None
-    """File of signals and changes of inputs, in addition to those of the station."""
+    io: str | Mapping[str, object] | None = None
+    """Signals and changes of inputs in addition to those of the station: a file, or its tables."""
     entry: str = DEFAULT_ENTRY
     assume_missing: bool = False
     """Whether undeclared names are assumed to exist; the station may also enable it."""
