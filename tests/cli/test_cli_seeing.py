@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+import gzip
 import os
+import re
 import signal
 import subprocess
 import sys
 import time
+from base64 import b64decode
 from pathlib import Path
 
 import pytest
@@ -17,6 +20,8 @@ from rapidsim.cli import viewer
 from rapidsim.cli.tools.opened_viewer import open_viewer
 from rapidsim.plots import write
 from rapidsim.plots.path_picture import path_picture
+from rapidsim.recording.page import write_page
+from rapidsim.recording.page.viewer_files import ViewerFiles
 
 PROGRAM = """MODULE Short
   CONST robtarget p:=[[600,-200,700],[0,0,1,0],[-1,0,-1,0],[9E9,9E9,9E9,9E9,9E9,9E9]];
@@ -143,6 +148,37 @@ def test_the_viewer_is_given_recordings_only(folder: Path) -> None:
     rapidsim("run", "Short.mod", cwd=folder)
     if sys.platform == "linux":
         assert "no screen" in rapidsim("view", "Short.rrd", cwd=folder, environment=NO_SCREEN).err
+
+
+def test_a_page_has_the_recording_and_the_viewer(
+    folder: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    served = ViewerFiles("var glue = 1;", b"program" * 100, "MIT")
+    monkeypatch.setattr(write_page, "viewer_files", lambda: served)
+    recording = b"RRF2 <b>data</b>"
+    (folder / "a&b.rrd").write_bytes(recording)
+    ended = rapidsim("view", "a&b.rrd", "--export", "page", cwd=folder, environment=NO_SCREEN)
+    assert (ended.code, ended.err) == (0, "")
+    assert ended.out == f"{Path('page', 'index.html')} shows it in any browser (0.0 MB)\n"
+    page = (folder / "page" / "index.html").read_text()
+    assert "<title>a&amp;b</title>" in page
+    assert "<script>var glue = 1;</script>" in page
+    found = re.search(r'id="recording">([^<]*)<', page)
+    program = re.search(r'id="program">([^<]*)<', page)
+    assert found is not None
+    assert program is not None
+    assert b64decode(found[1]) == recording
+    assert gzip.decompress(b64decode(program[1])) == served.program
+    assert (folder / "page" / "THIRD_PARTY_NOTICES.md").read_text() == "MIT"
+    again = rapidsim("view", "a&b.rrd", "--export", "Short.mod", cwd=folder)
+    assert (again.code, again.err) == (2, "error: Short.mod is a file; a folder is needed\n")
+    nowhere = rapidsim("view", "a&b.rrd", "--export", "no/page", cwd=folder)
+    assert nowhere.code == 2
+    assert "no is not a folder" in nowhere.err
+    monkeypatch.setattr(write_page, "_MOST_BYTES", 10)
+    large = rapidsim("view", "a&b.rrd", "--export", "page", cwd=folder)
+    assert large.code == 2
+    assert (folder / "page" / "index.html").read_text() == page
 
 
 @pytest.mark.process

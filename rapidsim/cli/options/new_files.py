@@ -53,10 +53,16 @@ def new_plots(name: str) -> Path:
     return _new_folder(name)
 
 
+def new_page(name: str) -> Path:
+    """The folder of a page with a recording, refused if it cannot be made or written there."""
+    require("rerun", "--export")
+    return _new_folder(name)
+
+
 def _new_folder(name: str) -> Path:
     path = Path(name)
     if path.exists() and not path.is_dir():
-        raise InputError(f"{path} is a file; pictures need a folder")
+        raise InputError(f"{path} is a file; a folder is needed")
     _require_writable(path, path if path.exists() else path.parent)
     return path
 

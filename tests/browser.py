@@ -69,13 +69,18 @@ class Page:
         file.write_bytes(b64decode(shot["data"]))
 
 
+DRAWN_WITHOUT_CARD = ("--use-angle=swiftshader", "--enable-unsafe-swiftshader")
+"""What a page that draws with WebGL needs on a machine without a graphics card."""
+
+
 @asynccontextmanager
-async def opened(url: str, folder: Path) -> AsyncIterator[Page]:
+async def opened(url: str, folder: Path, *, webgl: bool = False) -> AsyncIterator[Page]:
     """Open a page in a browser whose profile lies in a folder."""
     assert CHROMIUM is not None
     process = await asyncio.create_subprocess_exec(
         CHROMIUM,
-        *("--headless=new", "--no-sandbox", "--disable-gpu", "--remote-debugging-port=0"),
+        *("--headless=new", "--no-sandbox", "--remote-debugging-port=0"),
+        *(DRAWN_WITHOUT_CARD if webgl else ("--disable-gpu",)),
         *("--disable-dev-shm-usage", "--disable-background-networking", "--no-first-run"),
         *(f"--user-data-dir={folder / 'profile'}", "about:blank"),
         stdout=asyncio.subprocess.DEVNULL,
