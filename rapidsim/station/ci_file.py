@@ -1,4 +1,8 @@
-"""File with which a CI service checks the programs at each change: `rapidsim init --ci`."""
+"""File with which a CI service looks at the programs at each change: `rapidsim init --ci`.
+
+It checks them, runs them, keeps the recording as a page, and says in a comment what a change
+request changes.
+"""
 
 from __future__ import annotations
 
@@ -12,29 +16,92 @@ PLACES = {GITHUB: Path(".github", "workflows", "rapid.yml"), GITLAB: Path(".gitl
 IGNORED = ("*.rrd", "*.home/")
 """Files that runs write, as lines of a .gitignore."""
 
-_INSTALL = "pip install git+https://github.com/OWNER/rapidsim"
+_REQUIREMENT = '"rapidsim[view]"      # what pip installs: a release, git+https://..., or a wheel'
+_PAGE = "rapidsim view rapidsim.rrd --export rapidsim-page"
 _GITHUB = """name: RAPID
 on: [push, pull_request]
+permissions:
+  contents: read
+  security-events: write      # findings beside the lines
+  pull-requests: write        # what changed, as a comment
+env:
+  RAPIDSIM: {requirement}
 jobs:
-  check:
+  rapid:
     runs-on: ubuntu-latest
     steps:
       - uses: actions/checkout@v4
+        with:
+          fetch-depth: 0
       - uses: actions/setup-python@v5
         with:
           python-version: "3.12"
-      - run: {install}      # where you have it from
-      - run: {check}
-      - run: {run}
+      - run: pip install "$RAPIDSIM"
+      - name: Check
+        run: {check}
+      - name: Findings beside the lines
+        if: success() || failure()
+        continue-on-error: true      # a private repository may have no code scanning
+        uses: github/codeql-action/upload-sarif@v3
+        with:
+          sarif_file: rapidsim.sarif
+      - name: Run
+        if: success() || failure()
+        run: {run}
+      - name: Recording as a page
+        if: (success() || failure()) && hashFiles('rapidsim.rrd') != ''
+        run: {page}
+      - uses: actions/upload-artifact@v4
+        if: success() || failure()
+        with:
+          name: rapidsim
+          path: rapidsim-page
+          if-no-files-found: ignore
+      - name: What changed
+        if: (success() || failure()) && github.event_name == 'pull_request'
+        env:
+          BASE: ${{{{ github.event.pull_request.base.sha }}}}
+        run: {diff}
+      - name: What changed, as a comment
+        if: (success() || failure()) && github.event_name == 'pull_request'
+        continue-on-error: true      # a fork may not comment
+        env:
+          GH_TOKEN: ${{{{ github.token }}}}
+        run: >-
+          gh pr comment "${{{{ github.event.number }}}}" --edit-last --create-if-none
+          --body-file rapidsim-diff.md
 """
 _GITLAB = """rapid:
   image: python:3.12
+  rules:
+    - if: $CI_PIPELINE_SOURCE == "merge_request_event"
+    - if: $CI_COMMIT_BRANCH == $CI_DEFAULT_BRANCH
+  variables:
+    GIT_DEPTH: 0
+    RAPIDSIM: {requirement}
+  before_script:
+    - pip install "$RAPIDSIM"
   script:
-    - {install}      # where you have it from
     - {check}
     - {run}
+  after_script:
+    - "test ! -f rapidsim.rrd || {page_text}"
+    - |
+      if [ -n "$CI_MERGE_REQUEST_DIFF_BASE_SHA" ]; then
+        export BASE="$CI_MERGE_REQUEST_DIFF_BASE_SHA"
+        {diff_text}
+        # A comment needs a token with the scope `api`, as a masked variable of the project.
+        if [ -n "$RAPIDSIM_TOKEN" ]; then
+          request="$CI_API_V4_URL/projects/$CI_PROJECT_ID/merge_requests/$CI_MERGE_REQUEST_IID"
+          curl --fail --header "PRIVATE-TOKEN: $RAPIDSIM_TOKEN" \\
+            --data-urlencode "body@rapidsim-diff.md" "$request/notes"
+        fi
+      fi
   artifacts:
     when: always
+    paths:
+      - rapidsim-page
+      - rapidsim-diff.md
     reports:
       junit: rapidsim.xml
 """
@@ -50,16 +117,26 @@ def ci_text(service: str, paths: Sequence[str]) -> str:
 
     Args:
         service: `github` or `gitlab`.
-        paths: Paths to check and run, from the top of the repository.
+        paths: Paths to check, run and compare, from the top of the repository.
     """
-    named = shlex.join(f"./{path}" if path.startswith("-") else path for path in paths)
-    kind = "github" if service == GITHUB else "junit"
-    to = "" if service == GITHUB else " > rapidsim.xml"
+    safe = [f"./{path}" if path.startswith("-") else path for path in paths]
+    named = shlex.join(safe)
+    kind, to = ("sarif", "rapidsim.sarif") if service == GITHUB else ("junit", "rapidsim.xml")
+    comparisons = (
+        f'rapidsim diff --git "$BASE" {shlex.quote(path)} --format markdown || test $? -eq 1'
+        for path in safe
+    )
+    diff = f"{{ {'; '.join(comparisons)}; }} > rapidsim-diff.md"
+    commands = {
+        "check": f"rapidsim check {named} --format {kind} > {to}",
+        "run": f"rapidsim run {named} --record rapidsim.rrd",
+        "page": _PAGE,
+        "diff": diff,
+    }
     # A JSON string is a YAML string, whatever characters the names contain.
-    check = json.dumps(f"rapidsim check {named} --output-format {kind}{to}")
-    run = json.dumps(f"rapidsim run {named} --no-record")
+    quoted = {step: json.dumps(command) for step, command in commands.items()}
     text = _GITHUB if service == GITHUB else _GITLAB
-    return text.format(install=_INSTALL, check=check, run=run)
+    return text.format(**quoted, requirement=_REQUIREMENT, page_text=_PAGE, diff_text=diff)
 
 
 def ignored_lines(repository: Path) -> tuple[str, ...]:

@@ -259,7 +259,7 @@ def test_what_sets_inputs_is_suggested_and_runs(tmp_path: Path) -> None:
 
 @pytest.mark.parametrize(
     ("service", "place", "kind"),
-    [("github", ".github/workflows/rapid.yml", "github"), ("gitlab", ".gitlab-ci.yml", "junit")],
+    [("github", ".github/workflows/rapid.yml", "sarif"), ("gitlab", ".gitlab-ci.yml", "junit")],
 )
 def test_a_file_for_a_service_is_written_on_request(
     service: str, place: str, kind: str, tmp_path: Path
@@ -271,11 +271,23 @@ def test_a_file_for_a_service_is_written_on_request(
     assert it.code == 0, it.err
     assert f"Written: {place}\nFor .gitignore: *.home/\n" in it.out
     text = (tmp_path / place).read_text()
-    assert f"\"rapidsim check 'my cell' --output-format {kind}" in text
+    assert f"\"rapidsim check 'my cell' --format {kind}" in text
     (tmp_path / "my cell" / "rapidsim.toml").unlink()
     again = call("init", "my cell", "--ci", service, cwd=tmp_path)
     assert (again.code, "is there already" in again.err.replace("\n", " ")) == (2, True)
     assert not (tmp_path / "my cell" / "rapidsim.toml").exists()
+
+
+def test_a_cell_with_a_station_file_gets_the_file_of_a_service(tmp_path: Path) -> None:
+    (tmp_path / ".git").mkdir()
+    written(tmp_path / "cell", {"Pick.mod": PICK})
+    station_file = tmp_path / "cell" / "rapidsim.toml"
+    station_file.write_text('[robot]\nmodel = "irb120"\n')
+    it = call("init", "cell", "--ci", "github", cwd=tmp_path)
+    assert (it.code, it.err) == (0, "")
+    assert it.out.startswith("Kept: cell/rapidsim.toml\nWritten: .github/workflows/rapid.yml\n")
+    assert station_file.read_text() == '[robot]\nmodel = "irb120"\n'
+    assert "rapidsim check cell" in (tmp_path / ".github/workflows/rapid.yml").read_text()
 
 
 def test_a_file_for_a_service_does_not_lead_out(tmp_path: Path) -> None:

@@ -61,7 +61,7 @@ class _CiFile:
     "--ci",
     "service",
     type=click.Choice(tuple(PLACES)),
-    help="Also write a file with which this service checks and runs the programs.",
+    help="Also write a file with which this service checks, runs and compares the programs.",
 )
 @terminal_options
 def init(paths: tuple[str, ...], robot: str | None, service: str | None) -> int:
@@ -69,7 +69,8 @@ def init(paths: tuple[str, ...], robot: str | None, service: str | None) -> int:
 
     PATH is a module, a .pgf program file, a folder or a controller backup, or a folder with
     SYS.cfg, EIO.cfg and MOC.cfg. If a folder has several mains, each becomes a task. The file is
-    written next to the modules, or into the backup; an existing one is kept.
+    written next to the modules, or into the backup; an existing one is kept, and with --ci only the
+    file of the service is written.
 
     It has comments with further entries: stimuli for inputs that nothing sets,
     bodies for collision checks. Suggested lines for .gitignore are printed.
@@ -78,28 +79,30 @@ def init(paths: tuple[str, ...], robot: str | None, service: str | None) -> int:
         robot = open_robot(robot).name
     found = station_template(paths, robot)
     shown = relative_to_cwd(found.path)
-    if found.path.exists():
+    is_kept = found.path.exists()
+    if is_kept and service is None:
         raise InputError(
             f"{shown} is there already, and is kept", "edit it, or move it out of the way"
         )
     folder = Path(os.path.realpath(found.path.parent))
     repository = repository_of(folder)
     ci_file = None if service is None else _CiFile.planned(service, paths, repository or folder)
-    with whole_file(found.path) as temporary:
-        temporary.write_text(draft_text(found.draft), encoding="utf-8")
+    if not is_kept:
+        with whole_file(found.path) as temporary:
+            temporary.write_text(draft_text(found.draft), encoding="utf-8")
     if ci_file is not None:
         ci_file.write()
     # What is written can be read: a mistake here is ours.
     read_station(found.path)
     if not current_terminal().quiet:
-        echo(f"Written: {shown} ({_counted(found.draft)})")
+        echo(f"Kept: {shown}" if is_kept else f"Written: {shown} ({_counted(found.draft)})")
         if ci_file is not None:
             echo(f"Written: {relative_to_cwd(ci_file.path)}")
         if repository is not None and (lines := ignored_lines(repository)):
             echo(f"For .gitignore: {' '.join(lines)}")
-        for lack in found.lacks:
+        for lack in () if is_kept else found.lacks:
             echo(f"note: {lack}", err=True)
-        if above := find_station([str(found.path.parent.parent)]):
+        if not is_kept and (above := find_station([str(found.path.parent.parent)])):
             echo(f"{above} no longer applies to what is beside {shown}.")
     return ExitCode.CLEAN
 

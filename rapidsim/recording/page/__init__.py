@@ -1,1 +1,1 @@
-"""A recording as a web page that opens without a server: viewer and data in one file."""
+"""Export of a recording as a web page: viewer and data in one file."""

@@ -31,7 +31,7 @@ _STEP_S = 0.05
 
 @value_class(frozen=True, slots=True)
 class ViewerFiles:
-    """What a page needs to show recordings."""
+    """The parts of the viewer that a page contains."""
 
     glue: str
     """JavaScript that loads the program."""

@@ -17,7 +17,7 @@ from rapidsim.recording.page.viewer_files import ViewerFiles, viewer_files
 
 _PAGE, _NOTICES = "index.html", "THIRD_PARTY_NOTICES.md"
 _MOST_BYTES = 250_000_000
-"""Longer texts than that of such a recording are refused by browsers."""
+"""Largest recording [bytes] whose page browsers open."""
 
 
 def write_page(recording: Path, folder: Path) -> Path:
