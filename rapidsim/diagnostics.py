@@ -131,6 +131,11 @@ class Span:
         """Text of the span."""
         return self.source.text[self.start : self.end]
 
+    @property
+    def one_line(self) -> str:
+        """Text of the span on one line, for messages: white space is a single blank."""
+        return " ".join(self.text.split())
+
     def begins_in(self, other: Span) -> bool:
         """Whether its first character is inside another span."""
         return self.file == other.file and other.start <= self.start < other.end

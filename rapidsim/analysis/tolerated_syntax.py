@@ -119,4 +119,4 @@ def _without_parentheses(context: Context, call: tree.Call) -> Fix:
 
 
 def _text(context: Context, node: tree.Node) -> str:
-    return context.module.span(node).text
+    return context.module.span(node).one_line

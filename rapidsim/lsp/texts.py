@@ -127,7 +127,7 @@ def value_text(symbol: NamedSymbol) -> str:
     """Return the initial value of data as written; empty without one, cut if it is long."""
     match symbol:
         case DataSymbol(node=tree.Data(value=tree.Node() as value), module=tree.Module() as home):
-            text = " ".join(home.span(value).text.split())
+            text = home.span(value).one_line
         case DataSymbol(module=None, value=float() as number):
             text = f"{number:g}"
         case DataSymbol(module=None, value=str() as characters):

@@ -36,7 +36,7 @@ def target_text(program: Program, known_move: KnownMove) -> str:
     written = argument(program, known_move, *_TARGETS)
     if written is None:
         return known_move.move.instruction
-    return named_target(known_move.module.span(written).text)
+    return named_target(known_move.module.span(written).one_line)
 
 
 def target_span(program: Program, known_move: KnownMove) -> Span:

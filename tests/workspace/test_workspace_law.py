@@ -305,3 +305,13 @@ def test_an_empty_module_is_typed_by_part() -> None:
         fresh = fresh_findings({"m.mod": text})["m.mod"]
         assert [contents(one) for one in cell.findings("m.mod")] == fresh
     assert ways.count(False) < 3
+
+
+def test_blank_lines_in_a_quoted_expression_change_nothing() -> None:
+    text = "MODULE m\n  VAR num a{1=[2,\n    3]};\nENDMODULE\n"
+    cell = opened({"m.mod": text})
+    change = TextChange(text.index("    3"), text.index("    3"), "\n\n")
+    cell.change("m.mod", [change])
+    found = [contents(one) for one in cell.findings("m.mod")]
+    assert found == fresh_findings({"m.mod": changed_text(text, [change])})["m.mod"]
+    assert "`1=[2, 3]`" in found[0][2]

@@ -345,7 +345,7 @@ def _size(dimension: tree.Expression, node: tree.Data, context: Context) -> int 
             report_undefined(name, context)
         return None
     number = constant_number(dimension, context)
-    written = context.module.span(dimension).text
+    written = context.module.span(dimension).one_line
     fault = "size"
     if number is None:
         fault = "not constant"

@@ -111,7 +111,7 @@ def _check_literal(symbol: DataSymbol, value: tree.Expression, context: Context)
 
 
 def _literal_problem(part: tree.Node, context: Context) -> str:
-    written = context.module.span(part).text
+    written = context.module.span(part).one_line
     match part:
         case tree.DataReference(name=name):
             symbol = find(name.key, context)

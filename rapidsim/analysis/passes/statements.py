@@ -105,7 +105,7 @@ def _check_assignment(statement: tree.Assignment, context: Context) -> None:
         require_value(target, types.Atomic(of.name, Kind.NON_VALUE), "assigned", context)
     elif require_value(target, of, "assigned", context):
         declared = context.declaration(find(root_of(target).name.key, context))
-        wanted = ExpectedType(of, f"`{context.module.span(target).text}`", declared)
+        wanted = ExpectedType(of, f"`{context.module.span(target).one_line}`", declared)
         require(statement.value, wanted, context, type_of_expression)
 
 
@@ -159,7 +159,7 @@ def _check_connect(statement: tree.Connect, context: Context) -> None:
         symbol = find(root_of(interrupt).name.key, context)
         by = "CONNECT"
         if of is not None and resolved(of) != resolved(TYPES["intnum"]):
-            written = context.module.span(interrupt).text
+            written = context.module.span(interrupt).one_line
             violation = BadConnect("a variable of type intnum", written, of.name)
             context.report(violation, interrupt, *context.declaration(symbol))
         elif isinstance(symbol, DataSymbol) and symbol.scope is Scope.ROUTINE:

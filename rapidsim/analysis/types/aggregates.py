@@ -66,7 +66,7 @@ def _report_untyped(
         return
     is_open = wanted is None or wanted.type is types.ANYTYPE
     if wanted is None or is_open or installed_type(wanted.type.name.lower()) is None:
-        context.report(UntypedAggregate(context.module.span(node).text), node)
+        context.report(UntypedAggregate(context.module.span(node).one_line), node)
     else:
         violation = TypeMismatch(wanted.by, wanted.type.name, "an aggregate")
         context.report(violation, node, *wanted.declared)

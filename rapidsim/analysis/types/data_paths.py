@@ -94,7 +94,7 @@ def _written_type(path: tree.DataPath, context: Context, type_of: TypeOf) -> Typ
 
 def _element_type(path: tree.Index, context: Context, type_of: TypeOf) -> Type | None:
     array = _written_type(path.array, context, type_of)
-    written = context.module.span(path.array).text
+    written = context.module.span(path.array).one_line
     wanted = ExpectedType(types.NUM, f"an index of `{written}`")
     for index in path.indices:
         require(index, wanted, context, type_of)
@@ -127,7 +127,7 @@ def _component_type(path: tree.ComponentAccess, context: Context, type_of: TypeO
         if component.name.lower() == path.name.key:
             return component.type
     if target.name.lower() in context.analysis.shapeless:
-        written = context.module.span(path.record).text
+        written = context.module.span(path.record).one_line
         context.report(ComponentOfUnknownType(written, record.name, path.name.text), path.name)
         context.analysis.runs = False
         return None
@@ -135,7 +135,7 @@ def _component_type(path: tree.ComponentAccess, context: Context, type_of: TypeO
     if known:
         described = f"`{record.name}`"
     else:
-        described = f"`{context.module.span(path.record).text}` is {record.name}, which"
+        described = f"`{context.module.span(path.record).one_line}` is {record.name}, which"
     nearest = closest(path.name.text, known)
     context.report(UnknownComponent(described, path.name.text, known, nearest), path.name)
     return None

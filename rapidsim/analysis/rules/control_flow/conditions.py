@@ -47,7 +47,7 @@ def find_duplicate_cases(facts: Facts) -> Iterator[Diagnostic]:
                     continue
                 earlier = first.setdefault(known, value)
                 if earlier is not value:
-                    shown = " ".join(part.module.span(value).text.split())
+                    shown = part.module.span(value).one_line
                     related = part.place(earlier, "the first one, which is executed")
                     yield part.finding(DuplicateCase(shown), value, related)
 

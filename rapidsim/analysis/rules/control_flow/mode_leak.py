@@ -66,7 +66,7 @@ def find_mode_leaks(facts: Facts) -> Iterator[Diagnostic]:
                 break
             later = (call for call in part.all(tree.Call) if call.start > left.call.start)
             if may_move(list(descendants(*later)), facts):
-                shown = " ".join(part.module.span(left.call).text.split())
+                shown = part.module.span(left.call).one_line
                 if left.back not in kept:
                     kept[left.back] = _is_shared(left.back, facts)
                 where = routine.name.text, left.ends, left.back

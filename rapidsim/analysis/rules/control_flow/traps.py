@@ -107,7 +107,7 @@ def find_trap_hazards(facts: Facts) -> Iterator[Diagnostic]:
             for connect in connects:
                 if connect not in reported:
                     reported.add(connect)
-                    shown = part.module.span(connect.interrupt).text
+                    shown = part.module.span(connect.interrupt).one_line
                     problem = f"`{shown}` is connected again each time the loop comes round"
                     cure = f"connect it once before the loop, or `IDelete {shown};` first"
                     yield part.finding(TrapHazard(problem, cure), connect)

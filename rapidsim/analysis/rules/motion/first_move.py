@@ -46,7 +46,7 @@ def find_moves_without_speed(facts: Facts) -> Iterator[Diagnostic]:
             if speed is None or value is None or value[0] > 0.0:
                 continue
             # Without rotation by an external axis, it is no coordinated move either.
-            shown = " ".join(part.module.span(speed).text.split())
+            shown = part.module.span(speed).one_line
             yield part.finding(MoveWithoutSpeed(shown, value[0]), speed)
 
 

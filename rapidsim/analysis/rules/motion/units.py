@@ -102,7 +102,7 @@ def _at_foot(part: ProgramPart, facts: Facts) -> list[tuple[Symbol | None, Diagn
         distance = _length(known_value(taught, facts), 0)
         if distance is None or not 0.0 < distance < _NEAREST_TARGET_MM:
             continue
-        shown = " ".join(part.module.span(taught).text.split())
+        shown = part.module.span(taught).one_line
         named = f"`{shown}`" if len(shown) < 40 else "this target"
         what = f"{named} is {distance:.3g} mm from the robot's base"
         found.append((symbol, part.finding(_metres(what), taught, *_declared(symbol, part))))
@@ -169,7 +169,7 @@ def find_radians(facts: Facts) -> Iterator[Diagnostic]:
                 if formal is None or value is None or not _is_angle(formal.key):
                     continue
                 if _is_made_with_pi(value, facts) or _is_part_of_pi(known_value(value, facts)):
-                    shown = " ".join(part.module.span(value).text.split())
+                    shown = part.module.span(value).one_line
                     what = f"`{shown}` for {formal.spelled} of {call.name.text}"
                     yield part.finding(_radians(what), value)
 

@@ -57,7 +57,9 @@ def _waits(effect: EffectAfterMove, move: MoveCall, home: ProgramPart) -> Diagno
     """Finding at the zone of the move; at the wait if the move is in another routine."""
     zone = move.arguments.get("zone")
     place = move.call if zone is None else zone
-    violation = ZoneBeforeWait(move.call.name.text, home.module.span(place).text, _describe(effect))
+    violation = ZoneBeforeWait(
+        move.call.name.text, home.module.span(place).one_line, _describe(effect)
+    )
     wait = effect.effect.part.place(effect.effect.node, "the program waits here")
     if home is not effect.part:
         return effect.part.finding(
@@ -74,8 +76,8 @@ def _waits(effect: EffectAfterMove, move: MoveCall, home: ProgramPart) -> Diagno
 def _acts(effect: EffectAfterMove, move: MoveCall, home: ProgramPart) -> Diagnostic:
     target = move.arguments.get("topoint") or move.arguments.get("tojointpos")
     zone = move.arguments.get("zone")
-    shown = "the target" if target is None else " ".join(home.module.span(target).text.split())
-    size = "" if zone is None else f"`{home.module.span(zone).text}`"
+    shown = "the target" if target is None else home.module.span(target).one_line
+    size = "" if zone is None else f"`{home.module.span(zone).one_line}`"
     violation = OutputInZone(_describe(effect), shown if len(shown) < 40 else "the target", size)
     return effect.part.finding(
         violation, effect.place, home.place(move.call, "the move"), *_more(effect)

@@ -137,8 +137,8 @@ def _beyond(
             elif rounds.least is not None and rounds.least + beside < 1:
                 at = rounds.least + beside
             if at is not None:
-                shown = " ".join(part.module.span(node).text.split())
-                array = " ".join(part.module.span(node.array).text.split())
+                shown = part.module.span(node).one_line
+                array = part.module.span(node.array).one_line
                 bounds = "begins at 1" if size is None else f"has 1 to {size}"
                 yield part.finding(LoopBeyondArray(shown, int(at), array, bounds), node)
                 break
