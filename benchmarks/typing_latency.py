@@ -18,7 +18,7 @@ from pathlib import Path
 
 from rapidsim.files import SourceFile, decode
 from rapidsim.module_files import TaskFiles
-from rapidsim.syntax.garbage_collection import gc_for_server
+from rapidsim.syntax.garbage_collection import gc_rarely
 from rapidsim.workspace.changes import TextChange
 from rapidsim.workspace.workspace import Workspace
 
@@ -195,7 +195,7 @@ def main() -> None:
         cell = opened(task(modules, lines))
         count = sum(len(cell.findings(path)) for path in cell.paths)
         print(f"{modules} x {lines} lines: {cpu_ms() - start:.0f} ms to the first {count} findings")
-        with gc_for_server():
+        with gc_rarely():
             measure(cell, "within a routine", in_routine, EDITS)
             measure(cell, "a value of a declaration", in_value, EDITS // 10)
             measure(cell, "a declaration", of_declarations, EDITS // 10)
