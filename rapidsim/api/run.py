@@ -7,7 +7,9 @@ from dataclasses import dataclass
 from functools import cached_property
 from os import PathLike, fspath
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
 
 from rapidsim.analysis.literals import Value
 from rapidsim.analysis.program import DataSymbol
@@ -28,16 +30,22 @@ from rapidsim.export.trace import write_trace
 from rapidsim.extras import require
 from rapidsim.interpreter.linking.loader import Task
 from rapidsim.interpreter.runtime.memory import module_data
+from rapidsim.notebook import card, line_drawing
 from rapidsim.report.html.write import write_report
 from rapidsim.report.run.error_records import ErrorRecord, error_records
 from rapidsim.report.run.figures import figures
 from rapidsim.report.run.json_report import RunFiles, run_json
 from rapidsim.report.run.records import MoveRecord, WaitRecord, move_records, wait_records
 from rapidsim.simulation.result_builder import FinishedRun
-from rapidsim.simulation.results.simulation import End, Simulation
+from rapidsim.simulation.results.simulation import End, RobotRun, Simulation
 from rapidsim.simulation.results.verdict import run_verdict
 
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
 Path_ = str | PathLike[str]
+_SHOWN_MOVES = 5
+_DRAWN_PLACES = 400
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -199,10 +207,65 @@ class Run:
         """
         return write_events(self.simulation, fspath(path))
 
+    def plot(self, picture: str = "path", *, task: str | None = None, dark: bool = False) -> Figure:
+        """Draw a picture of the motion as a matplotlib figure; needs the extra `plots`.
+
+        Args:
+            picture: `path`, `arm`, `joints`, `speed`, `orientation`, `lines`, `movej-movel`,
+                `frames` or `clearance`, as the files of `--plots`.
+            task: The task whose robot moves; None where only one does.
+            dark: Whether it is for a dark page.
+
+        Raises:
+            InputError: If there is no such picture, nothing moves, or matplotlib is missing.
+        """
+        require("matplotlib", "a picture")
+        from rapidsim.plots.write import draw  # noqa: PLC0415 - Not everybody has matplotlib.
+
+        found = self.simulation.only if task is None else self.simulation.robot_of(task)
+        return draw(self.simulation, found, picture, dark=dark)
+
+    def _repr_html_(self) -> str:
+        """Card for notebooks: how it ended, its figures, path from above, the longest moves."""
+        longest = sorted(self.moves, key=lambda move: move.start_s - move.end_s)[:_SHOWN_MOVES]
+        rows = [
+            (
+                f"{move.end_s - move.start_s:.3f} s",
+                f"{move.instruction} {move.to}",
+                f"{move.file}:{move.line}",
+            )
+            for move in longest
+        ]
+        figures = {
+            "time": f"{self.time_s:.3f} s",
+            "in motion": f"{self.motion_s:.3f} s",
+            "waiting": f"{self.wait_s:.3f} s",
+            "path": f"{self.path_mm:.1f} mm",
+            "moves": str(len(self.moves)),
+            **({"ended by": self.error.message} if self.error is not None else {}),
+        }
+        return card(
+            self.headline,
+            figures,
+            heads=("longest moves", "", ""),
+            rows=rows,
+            drawing="".join(map(_path_from_above, self.simulation.robots)),
+        )
+
     def __repr__(self) -> str:
         """One line."""
         name = self.simulation.title[:50] or "?"
         return f"<run of {name}: {self.end} after {self.time_s:.3f} s, {len(self.moves)} moves>"
+
+
+def _path_from_above(robot_run: RobotRun) -> str:
+    """SVG element of the TCP's path in the x-y plane of the base, x to the right."""
+    if not robot_run.moves:
+        return ""
+    times = np.linspace(0.0, robot_run.trajectory.duration, _DRAWN_PLACES)
+    places = robot_run.trajectory.at(times).base_from_tcp.translation[:, :2]
+    points = [(float(x), float(y)) for x, y in places]
+    return line_drawing(points, f"{robot_run.task}: path of the TCP from above")
 
 
 def run_of(finished: FinishedRun) -> Run:

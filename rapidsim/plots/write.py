@@ -15,7 +15,7 @@ from types import MappingProxyType
 
 from matplotlib.figure import Figure
 
-from rapidsim.files import InputError
+from rapidsim.files import InputError, did_you_mean
 from rapidsim.output_files import unwritten, whole_file
 from rapidsim.plots.arm_picture import arm_picture
 from rapidsim.plots.clearance_picture import clearance_picture
@@ -27,7 +27,7 @@ from rapidsim.plots.sampled_run import sample_run
 from rapidsim.plots.theme import DARK, LIGHT, Theme, themed
 from rapidsim.plots.time_pictures import joints_picture, orientation_picture, speed_picture
 from rapidsim.simulation.results.sampling import SampledRun
-from rapidsim.simulation.results.simulation import Simulation
+from rapidsim.simulation.results.simulation import RobotRun, Simulation
 
 PICTURES: Mapping[str, Callable[[SampledRun, Theme], Figure | None]] = MappingProxyType(
     {
@@ -72,6 +72,30 @@ def write_plots(simulation: Simulation, folder: str | Path) -> tuple[Path, ...]:
             }
             written += write_pictures(pictures, Path(folder))
     return tuple(written)
+
+
+def draw(simulation: Simulation, robot_run: RobotRun, name: str, *, dark: bool = False) -> Figure:
+    """Draw one picture.
+
+    Args:
+        simulation: The run.
+        robot_run: The robot.
+        name: Name of the picture.
+        dark: Whether it is for a dark page.
+
+    Raises:
+        InputError: If there is no picture of that name, or nothing that it could show.
+    """
+    if name not in PICTURES:
+        raise InputError(f"there is no picture `{name}`", did_you_mean(name, PICTURES))
+    if not robot_run.moves:
+        raise InputError("nothing moved: there is no path to draw pictures of")
+    theme = DARK if dark else LIGHT
+    with themed(theme):
+        figure = PICTURES[name](sample_run(simulation, robot_run), theme)
+    if figure is None:
+        raise InputError(f"this run has nothing for the picture `{name}`")
+    return figure
 
 
 def write_pictures(

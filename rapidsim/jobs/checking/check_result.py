@@ -10,6 +10,7 @@ from rapidsim.diagnostics import Diagnostic, Severity
 from rapidsim.findings.runs import FAMILY_OF_RUNS
 from rapidsim.jobs.checking.baseline import Key, split_by_baseline
 from rapidsim.jobs.inputs.robot_choice import RobotChoice
+from rapidsim.notebook import card
 from rapidsim.reach.checked_moves import Coverage
 from rapidsim.syntax import tree
 from rapidsim.values import value_class
@@ -71,6 +72,26 @@ class CheckResult:
         """Return the result with the findings of a baseline marked as known."""
         new, old = split_by_baseline(self.diagnostics, known)
         return replace(self, diagnostics=new, known=old)
+
+    def _repr_html_(self) -> str:
+        """Card for notebooks: verdict, moves checked, findings."""
+        checked = self.coverage.moves - len(self.coverage.unchecked)
+        figures = {
+            "files": str(len(self.files)),
+            "moves checked": f"{checked} of {self.coverage.moves}",
+            **(
+                {"with qualifications": "; ".join(self.qualifications)}
+                if self.qualifications
+                else {}
+            ),
+        }
+        rows = [
+            (one.severity.value, one.code, f"{one.file or ''}:{one.line or ''}", one.message)
+            for one in self.diagnostics
+        ]
+        heads = ("severity", "code", "place", "message")
+        title = "Check passed" if self.ok else "Check failed"
+        return card(title, figures, heads=heads, rows=rows)
 
     def __repr__(self) -> str:
         """One line."""

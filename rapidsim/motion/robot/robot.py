@@ -30,6 +30,7 @@ from rapidsim.motion.robot.motion_constants import (
     constants_of,
     constants_of_version_2,
 )
+from rapidsim.notebook import card
 from rapidsim.values import value_class
 
 __all__ = ["Joint", "Robot", "RobotError", "load_robot", "robot_names"]
@@ -166,6 +167,25 @@ class Robot:
             return np.clip(posture, self.lower, self.upper)
         endless = np.isinf(self.lower) | np.isinf(self.upper)
         return np.where(endless, 0.0, (self.lower + self.upper) / 2.0)
+
+    def _repr_html_(self) -> str:
+        """Card for notebooks: limits and speeds of the joints."""
+        figures = {
+            "name": self.name,
+            **({"payload": f"{self.payload_kg:g} kg"} if self.payload_kg is not None else {}),
+            **({"reach": f"{1000.0 * self.reach_m:.0f} mm"} if self.reach_m is not None else {}),
+        }
+        rows = [
+            (
+                joint.name,
+                f"{np.degrees(joint.lower):.1f} to {np.degrees(joint.upper):.1f} {joint.measure}",
+                "unknown"
+                if joint.max_speed is None
+                else f"{np.degrees(joint.max_speed):.0f} {joint.measure}/s",
+            )
+            for joint in self.joints
+        ]
+        return card(self.title, figures, heads=("joint", "range", "speed"), rows=rows)
 
     def __repr__(self) -> str:
         """Return one line with name and number of axes."""
