@@ -26,12 +26,11 @@ from rapidsim.motion.numba_jit import jit_function
 from rapidsim.motion.timing import smoothed_speed_loops
 
 _LEVEL = 2e-4
-"""Share of a speed by which it may change over the window and still count as level."""
+"""Share of its speed by which a line may change over the window and still count as level."""
 _STEEP = 1.0
-"""Share above which lines would fall to zero within the window."""
-_EVEN = 0.25
-"""Share of its rise by which the largest speed may be off the line."""
+"""Share by which it changes at most; more needs a longer series of the shift."""
 _PAIRS = 2_000_000
+"""Number of pairs of a line and a point evaluated at once, which bounds the memory."""
 
 
 def held_speeds(places: Array, speeds: Array, needed: Mask, window: float) -> Array:
@@ -48,9 +47,12 @@ def held_speeds(places: Array, speeds: Array, needed: Mask, window: float) -> Ar
         Shape (k,) [m/s].
     """
     at = np.flatnonzero(needed)
+    # Where two stages meet, both have a point.
+    at = at[(np.diff(places[at], prepend=-1.0) > 0.0) | (np.diff(speeds[at], prepend=-1.0) != 0.0)]
     middle, most = places[at], speeds[at]
     first, after = spans_around(places, middle, most, window)
-    slopes = _slopes(places, speeds, at, first, after - 1)
+    slopes = _slopes(places, speeds, at, (first, after - 1)).clip(-_STEEP / window, _STEEP / window)
+    slopes[np.abs(slopes) < _LEVEL / window] = 0.0
     shifted = middle + slopes * most * window**2 / 12.0
     first, after = spans_around(places, shifted, most, window)
     level = slopes == 0.0
@@ -74,20 +76,22 @@ def spans_around(places: Array, middle: Array, speeds: Array, window: float) -> 
     return np.maximum(first, 0), np.minimum(after, len(places))
 
 
-def _slopes(places: Array, speeds: Array, at: Index, first: Index, last: Index) -> Array:
-    """Return slopes (j,) [1/s] of the lines to keep below around points (j,), 0 for level ones.
+def _slopes(places: Array, speeds: Array, at: Index, ends: tuple[Index, Index]) -> Array:
+    """Return slopes (j,) [1/s] of lines through points (j,): towards lower speeds, not below these.
 
-    `first` and `last` (j,) are the points at the ends of their windows.
+    They are 0 where no speed is lower. `ends` (j,) are the first and the last point of each window.
     """
-    way, rise = places[last] - places[first], speeds[last] - speeds[first]
-    steepness = np.abs(rise)
-    rising = (steepness > _LEVEL * speeds[at]) & (steepness < _STEEP * speeds[at]) & (way > 0.0)
-    slopes = np.where(rising, rise / np.where(rising, way, 1.0), 0.0)
-    off = np.zeros(len(at))
-    for other in (first, (first + at) // 2, (at + last) // 2, last):
-        line = speeds[at] + slopes * (places[other] - places[at])
-        np.maximum(off, np.abs(speeds[other] - line), out=off)
-    return np.where(off < _EVEN * steepness, slopes, 0.0)
+    drops = []
+    for end in ends:
+        least = np.full(len(at), np.inf)
+        for other in (end, (end + at) // 2):
+            way = np.abs(places[other] - places[at])
+            drop = (speeds[at] - speeds[other]) / np.where(way > 0.0, way, np.inf)
+            np.minimum(least, drop, out=least, where=way > 0.0)
+        drops.append(least)
+    # Beyond an end of the path no speed is lower.
+    left, right = (np.where(own < np.inf, own, -other) for own, other in (drops, drops[::-1]))
+    return np.maximum(left, 0.0) - np.maximum(right, 0.0)
 
 
 def _keep_below_lines(
@@ -102,13 +106,12 @@ def _keep_below_lines(
     """Do what `smoothed_speed_loops.keep_below_lines` does, by columns."""
     size = after - first
     ends = np.cumsum(size)
-    for part in np.split(
-        np.arange(len(at)), np.searchsorted(ends, np.arange(_PAIRS, ends[-1], _PAIRS))
-    ):
+    cuts = np.searchsorted(ends, np.arange(_PAIRS, ends[-1], _PAIRS))
+    for part in np.split(np.arange(len(at)), cuts):
         count = size[part]
         line = np.repeat(part, count)
-        own = at[line]
-        other = np.arange(len(line)) + np.repeat(first[part] - np.cumsum(count) + count, count)
+        own, other = at[line], np.arange(len(line))
+        other += np.repeat(first[part] - np.cumsum(count) + count, count)
         np.minimum.at(bounded, other, speeds[own] + slopes[line] * (places[other] - places[own]))
 
 

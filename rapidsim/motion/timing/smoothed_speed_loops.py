@@ -27,10 +27,9 @@ def keep_below_lines(
         after: Point after its last, shape (j,).
     """
     for number in range(len(at)):
-        own = at[number]
+        middle, speed, slope = places[at[number]], speeds[at[number]], slopes[number]
         for other in range(first[number], after[number]):
-            line = speeds[own] + slopes[number] * (places[other] - places[own])
-            bounded[other] = min(bounded[other], line)
+            bounded[other] = min(bounded[other], speed + slope * (places[other] - middle))
 
 
 COMPILED = (keep_below_lines,)
