@@ -25,7 +25,10 @@ Controller = Literal["virtual", "real"]
 INTERPOLATION_CYCLE_S = 0.004032
 """Interval [s] at which an IRC5 sends new positions to its axes."""
 _BRIEF_S = 4.0 * INTERPOLATION_CYCLE_S
-"""Braking time [s] below which stops take less time."""
+"""Braking time [s] below which stops of the large measured arm take less time."""
+_QUICKER = 3.4
+"""Power of the smoothing's width with which that time falls on smaller arms: these brake sooner,
+and would miss stops by more than the large arm does."""
 _SHORTER = 0.59
 """Share by which a stop is shorter at nearly zero speed: 57 ms at v50, 102 ms from v300 on.
 
@@ -114,13 +117,14 @@ class MotionModel:
         """Time [s] at a stop point after a command that braked for `braking_s` [s].
 
         The arm comes to rest in that time, except in slow moves, which then have almost no
-        remaining
-        motion: logs of a controller do not show the arm at rest there either. Smoothed along
-            the path the arm would carry speed into the next move, so there it always comes to rest.
+        remaining motion: logs of a controller do not show the arm at rest there either. What is
+        slow depends on how quick the arm is. Smoothed along the path the arm would carry speed into
+        the next move, so there it always comes to rest.
         """
         if self.version == "1":
             return self.dwell
-        missing = max(0.0, 1.0 - braking_s / _BRIEF_S)
+        brief_s = _BRIEF_S * min(1.0, self.window / FILTER_S) ** _QUICKER
+        missing = max(0.0, 1.0 - braking_s / brief_s) if brief_s else 0.0
         dwell = max(self.dwell, self.window) * (1.0 - _SHORTER * missing)
         return max(dwell, self.window) if self.smoothing == "path" else dwell
 

@@ -4,8 +4,8 @@ A stage of the solver is as fast as one of its rows allows, which is then at its
 stage's ends, or as the maximum speed at one of its ends. If it has neither, it leads to the speed
 from which the next stage can brake, so the active constraint is that of the next stage.
 
-The maximum speed is that of a row in the stage, or of a slower place less than half the smoothing's
-width away, past which the smoothed motion would otherwise be too fast.
+The maximum speed is that of a row in the stage, or of a slower place, at its speed half the
+smoothing's width away, past which the smoothed motion would otherwise be too fast.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ from rapidsim.motion.kinematics.arm import Mask
 from rapidsim.motion.path.path import Path
 from rapidsim.motion.timing.constraints import Limiter, Quantity
 from rapidsim.motion.timing.problem import HELD_BEND, Problem
-from rapidsim.motion.timing.smoothed_speed_limits import least_around, within
+from rapidsim.motion.timing.smoothed_speed_limits import lowest_over, spans_around
 from rapidsim.motion.timing.stages import fastest, rows_along, weights_of
 from rapidsim.motion.timing.time_optimal import StageMotion
 from rapidsim.motion.timing.time_scaling import TimeScaling
@@ -111,7 +111,9 @@ def _of_caps(problem: Problem, motion: StageMotion, capped: Mask) -> Index:
     number[evaluated] = _slowest_rows(problem, motion, evaluated)
     number = number[source]
     in_zone = problem.path.zone_radius[piece] > 0.0
-    number[held & in_zone[source] & ~in_zone] = _CORNER
+    of_pace = [row for row, one in enumerate(problem.speeds.limiters) if one.is_programmed]
+    of_zone = in_zone[source] & ~np.isin(number, of_pace)
+    number[held & of_zone & ~in_zone] = _CORNER
     number[cycle] = _CYCLE
     caps = np.minimum(motion.ramp_caps[:-1], motion.ramp_caps[1:])
     number[caps < (1.0 - _EQUAL) * motion.by_speed] = _RAMP
@@ -119,13 +121,13 @@ def _of_caps(problem: Problem, motion: StageMotion, capped: Mask) -> Index:
 
 
 def _slowest_near(motion: StageMotion, speeds: Array, window: float) -> Index:
-    """Return the stage (m,) with the lowest maximum speed within half a window [s] of each."""
-    steps = motion.stages.width / speeds
-    near = within(np.cumsum(steps) - 0.5 * steps, 0.5 * window)
+    """Return the slowest (m,) of the stages that each must be slow for, by maximum speeds (m,)."""
+    middle = motion.stages.places[:, 1]
     order = np.argsort(speeds, kind="stable")
     rank = np.empty(len(order))
     rank[order] = np.arange(len(order))
-    return order[least_around(rank, near).astype(np.int64)]
+    near = spans_around(middle, middle, speeds, window)
+    return order[lowest_over(*near, rank, len(order)).astype(np.int64)]
 
 
 def _slowest_rows(problem: Problem, motion: StageMotion, some: Index) -> Index:

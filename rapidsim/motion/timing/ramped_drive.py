@@ -19,7 +19,7 @@ from rapidsim.motion.interruption import Look
 from rapidsim.motion.kinematics.arm import Mask
 from rapidsim.motion.path.path import Path
 from rapidsim.motion.timing.problem import Problem
-from rapidsim.motion.timing.smoothed_speed_limits import held_speeds, least_around, within
+from rapidsim.motion.timing.smoothed_speed_limits import held_speeds, lowest_over
 from rapidsim.motion.timing.time_optimal import Division, StageMotion, drive
 from rapidsim.motion.timing.time_scaling import TimeScaling, with_rests
 
@@ -118,8 +118,10 @@ def _parts(problem: Problem, division: Division, speeds: Array) -> Index | None:
     if not faster.any():
         return None
     times = TimeScaling(nodes, speeds, 0.0).times
-    widest = float(windows.max())
-    near = least_around(np.where(faster, 0.0, 1.0), within(times, widest)) == 0.0
+    widest, at = float(windows.max()), times[faster]
+    first = np.searchsorted(times, at - widest, side="left")
+    after = np.searchsorted(times, at + widest, side="right")
+    near = np.isfinite(lowest_over(first, after, at, len(times)))
     beside = near[1:] | near[:-1]
     parts: Index = np.ones(len(times) - 1, dtype=np.int64)
     least = widest / _STAGES

@@ -1,10 +1,15 @@
 """Limits of the command's speed such that the smoothed motion keeps the maximum speeds.
 
-The arm's speed is the mean of the command's over the filter time, and its position the mean of the
-command's positions. When the arm is at p, the command passes p in the middle of that time, and is
-ahead or behind by at most half the time; where it is slow on one side, it spends longer there. If
-around p it stays below one straight line through the maximum speed at p, so does its mean: the mean
-of values on a line is the line at the mean position.
+The arm's place p and its speed are the command's, averaged over the filter time W. Let v be the
+maximum speed at p, and let the command keep below a line through it, v + a (s - p), wherever the
+solution g of g' = v + a (g - p) with mean p goes within W. Where the command crosses g it cannot
+get ahead of g afterwards, nor have been behind it before, so its mean speed is at most that of g,
+which is v: the mean of values on a line is the line at the mean position. For averages one after
+the other this holds as well, because the logarithm of their weights is concave.
+
+g travels v W: half of it on either side of p, shifted by a v W^2 / 12 towards the faster side.
+Distance decides, not the time that a faster neighbour would need for it: such a neighbour is slow
+near p, too.
 
 Any line is valid. A level line suits minima; where the maximum speed rises or falls linearly, as it
 does along a joint move, a level line would cost time, and the line that follows it costs none.
@@ -19,11 +24,13 @@ from rapidsim.motion.geometry.curves import Index
 from rapidsim.motion.kinematics.arm import Mask
 from rapidsim.motion.numba_jit import jit_function
 from rapidsim.motion.timing import smoothed_speed_loops
-from rapidsim.motion.timing.smoothed_speed_loops import EVEN, LEVEL, NEXT, STEEP
 
-_REACH = 0.5
-"""Share of the window by which the command is away from the arm at most, to either side."""
+_LEVEL = 2e-4
+"""Share of its speed by which a line may change over the window and still count as level."""
+_STEEP = 1.0
+"""Share by which it changes at most; more needs a longer series of the shift."""
 _PAIRS = 2_000_000
+"""Number of pairs of a line and a point evaluated at once, which bounds the memory."""
 
 
 def held_speeds(places: Array, speeds: Array, needed: Mask, window: float) -> Array:
@@ -39,62 +46,52 @@ def held_speeds(places: Array, speeds: Array, needed: Mask, window: float) -> Ar
     Returns:
         Shape (k,) [m/s].
     """
-    # Lower bounds of the command's times. A point where the TCP only turns has nearly zero maximum
-    # speed, so the distance travelled follows from all the points on the path.
-    steps = 0.5 * np.diff(places) * (1.0 / speeds[1:] + 1.0 / speeds[:-1])
-    times = np.concatenate([[0.0], np.cumsum(steps)])
-    reach = _REACH * window
-    kernel = jit_function(smoothed_speed_loops, "hold", len(places))
-    if kernel is not None:
-        result = np.empty(len(places))
-        kernel(places, speeds, needed, times, reach, result)
-        return result
-    near = first, after = within(times, reach)
-    # If points are farther apart than the window, their neighbours represent the interval between.
-    own = np.arange(len(places))
-    next_before = np.maximum(own - NEXT, 0)
-    next_after = np.minimum(own + NEXT + 1, len(places))
-    lonely = (first > next_before) | (after < next_after)
-    first, after = np.minimum(first, next_before), np.maximum(after, next_after)
-    slopes = np.zeros(len(places))
     at = np.flatnonzero(needed)
-    slopes[at] = _slopes(places, speeds, at, first[at], after[at] - 1)
-    lined = lonely | (slopes != 0.0)
-    held = least_around(np.where(lined | ~needed, np.inf, speeds), near)
-    _keep_below_lines(held, places, speeds, slopes, np.flatnonzero(lined & needed), first, after)
+    # Where two stages meet, both have a point.
+    at = at[(np.diff(places[at], prepend=-1.0) > 0.0) | (np.diff(speeds[at], prepend=-1.0) != 0.0)]
+    middle, most = places[at], speeds[at]
+    first, after = spans_around(places, middle, most, window)
+    slopes = _slopes(places, speeds, at, (first, after - 1)).clip(-_STEEP / window, _STEEP / window)
+    slopes[np.abs(slopes) < _LEVEL / window] = 0.0
+    shifted = middle + slopes * most * window**2 / 12.0
+    first, after = spans_around(places, shifted, most, window)
+    level = slopes == 0.0
+    held = lowest_over(first[level], after[level], most[level], len(places))
+    if not level.all():
+        lined = (one[~level] for one in (slopes, at, first, after))
+        kernel = jit_function(smoothed_speed_loops, "keep_below_lines", len(places))
+        (kernel or _keep_below_lines)(held, places, speeds, *lined)
     return np.minimum(held, speeds)
 
 
-def level_speeds(places: Array, speeds: Array, needed: Mask, window: float) -> Array:
-    """Return maximum speeds of the command as `held_speeds`, for a wide window.
+def spans_around(places: Array, middle: Array, speeds: Array, window: float) -> tuple[Index, Index]:
+    """Return points (j,) between which the command is while the arm is in the middle (j,) [m].
 
-    All lines are level, and each is as long as the command travels at its speed in half of the
-    window; at the maximum speeds around it would travel much farther.
+    They are the first and the one after the last. A point beyond each end represents the interval
+    up to it.
     """
-    reach = _REACH * window * speeds
-    # A point beyond each end represents the interval between.
-    first = np.maximum(np.searchsorted(places, places - reach, side="left") - 1, 0)
-    after = np.minimum(np.searchsorted(places, places + reach, side="right") + 1, len(places))
-    held = speeds.copy()
-    level = np.zeros(len(places))
-    _keep_below_lines(held, places, speeds, level, np.flatnonzero(needed), first, after)
-    return held
+    reach = 0.5 * window * speeds
+    first = np.searchsorted(places, middle - reach, side="left") - 1
+    after = np.searchsorted(places, middle + reach, side="right") + 1
+    return np.maximum(first, 0), np.minimum(after, len(places))
 
 
-def _slopes(places: Array, speeds: Array, at: Index, first: Index, last: Index) -> Array:
-    """Return slopes (j,) [1/s] of the lines to keep below around points (j,), 0 for level ones.
+def _slopes(places: Array, speeds: Array, at: Index, ends: tuple[Index, Index]) -> Array:
+    """Return slopes (j,) [1/s] of lines through points (j,): towards lower speeds, not below these.
 
-    `first` and `last` (j,) are the points at the ends of their windows.
+    They are 0 where no speed is lower. `ends` (j,) are the first and the last point of each window.
     """
-    way, rise = places[last] - places[first], speeds[last] - speeds[first]
-    steepness = np.abs(rise)
-    rising = (steepness > LEVEL * speeds[at]) & (steepness < STEEP * speeds[at]) & (way > 0.0)
-    slopes = np.where(rising, rise / np.where(rising, way, 1.0), 0.0)
-    off = np.zeros(len(at))
-    for other in (first, (first + at) // 2, (at + last) // 2, last):
-        line = speeds[at] + slopes * (places[other] - places[at])
-        np.maximum(off, np.abs(speeds[other] - line), out=off)
-    return np.where(off < EVEN * steepness, slopes, 0.0)
+    drops = []
+    for end in ends:
+        least = np.full(len(at), np.inf)
+        for other in (end, (end + at) // 2):
+            way = np.abs(places[other] - places[at])
+            drop = (speeds[at] - speeds[other]) / np.where(way > 0.0, way, np.inf)
+            np.minimum(least, drop, out=least, where=way > 0.0)
+        drops.append(least)
+    # Beyond an end of the path no speed is lower.
+    left, right = (np.where(own < np.inf, own, -other) for own, other in (drops, drops[::-1]))
+    return np.maximum(left, 0.0) - np.maximum(right, 0.0)
 
 
 def _keep_below_lines(
@@ -102,33 +99,42 @@ def _keep_below_lines(
     places: Array,
     speeds: Array,
     slopes: Array,
-    lined: Index,
+    at: Index,
     first: Index,
     after: Index,
 ) -> None:
-    """Lower speeds (k,) to the lines through some points within their windows."""
-    if not len(lined):
-        return
-    ends = np.cumsum(after[lined] - first[lined])
-    parts = np.split(lined, np.searchsorted(ends, np.arange(_PAIRS, ends[-1], _PAIRS)))
-    for part in parts:
-        count = after[part] - first[part]
-        owner = np.repeat(part, count)
-        number = np.arange(len(owner)) - np.repeat(np.cumsum(count) - count, count)
-        other = first[owner] + number
-        line = speeds[owner] + slopes[owner] * (places[other] - places[owner])
-        np.minimum.at(bounded, other, line)
+    """Do what `smoothed_speed_loops.keep_below_lines` does, by columns."""
+    size = after - first
+    ends = np.cumsum(size)
+    cuts = np.searchsorted(ends, np.arange(_PAIRS, ends[-1], _PAIRS))
+    for part in np.split(np.arange(len(at)), cuts):
+        count = size[part]
+        line = np.repeat(part, count)
+        own, other = at[line], np.arange(len(line))
+        other += np.repeat(first[part] - np.cumsum(count) + count, count)
+        np.minimum.at(bounded, other, speeds[own] + slopes[line] * (places[other] - places[own]))
 
 
-def within(times: Array, window: float) -> tuple[Index, Index]:
-    """Return indices (k,) of the first time within a window [s] of each, and past the last."""
-    first = np.searchsorted(times, times - window, side="left")
-    return first, np.searchsorted(times, times + window, side="right")
+def lowest_over(first: Index, after: Index, values: Array, count: int) -> Array:
+    """Return the lowest of values (j,) at each of some points, infinite where there is none.
 
+    Args:
+        first: The first point of each value, shape (j,).
+        after: The point after its last, shape (j,), larger.
+        values: Shape (j,).
+        count: Number of points.
 
-def least_around(speeds: Array, near: tuple[Index, Index]) -> Array:
-    """Return the minimum of speeds (k,) [m/s] around each point; `near` is from `within`."""
-    # `reduceat` takes the minimum from each index to the next; every second interval is a window.
-    bounds = np.stack(near, axis=1).ravel()
-    least: Array = np.minimum.reduceat(np.append(speeds, np.inf), bounds)[::2]
-    return least
+    Returns:
+        Shape (count,).
+    """
+    lowest = np.full(count, np.inf)
+    # Two spans of a power of two cover a span; from the widest on, each is two of half the width.
+    power = np.frexp(after - first)[1] - 1
+    for width in range(int(power.max(initial=0)), -1, -1):
+        own = power == width
+        np.minimum.at(lowest, first[own], values[own])
+        np.minimum.at(lowest, after[own] - 2**width, values[own])
+        half = 2**width // 2
+        if half:
+            lowest[half:] = np.minimum(lowest[half:], lowest[:-half])
+    return lowest

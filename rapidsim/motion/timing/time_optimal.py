@@ -14,7 +14,7 @@ from rapidsim.motion.geometry.curves import Index
 from rapidsim.motion.interruption import Look, undisturbed
 from rapidsim.motion.kinematics.arm import Mask
 from rapidsim.motion.timing.problem import Problem
-from rapidsim.motion.timing.smoothed_speed_limits import held_speeds, level_speeds
+from rapidsim.motion.timing.smoothed_speed_limits import held_speeds
 from rapidsim.motion.timing.stages import Stages, cut, fastest, loads, stages_of
 from rapidsim.motion.timing.time_scaling import TimeScaling
 from rapidsim.motion.timing.two_pass import solve
@@ -110,11 +110,9 @@ def drive(
     stages = division.stages
     speeds = fastest(stages, problem.cells, problem.slowness)
     if division.needed.any():
-        window = problem.path.window
         places, needed = stages.places.ravel(), np.repeat(division.needed, 3)
-        # A ramp widens the window.
-        held = level_speeds if window > problem.path.model.window else held_speeds
-        speeds = held(places, speeds.ravel(), needed, window).reshape(-1, 3)
+        held = held_speeds(places, speeds.ravel(), needed, problem.path.window)
+        speeds = held.reshape(-1, 3)
     in_zones = problem.path.zone_speed
     if np.isfinite(in_zones).any():
         speeds = np.minimum(speeds, in_zones[problem.cells.piece[stages.cell]][:, None])
