@@ -108,6 +108,7 @@ class Subscribe:
 
     resources: Annotated[tuple[str, ...], Key("subscribe")]
     group: int
+    session: int = 0
 
 
 @value_class(frozen=True, slots=True)

@@ -9,14 +9,14 @@ from pathlib import Path
 from typing import Any, TypeVar
 
 import aiohttp
-from aiohttp import web
 
 from rapidsim.jobs.inputs.run_request import RunRequest
 from rapidsim.server.engine import Engine
-from rapidsim.server.http.app import HttpFrontend, runner_of
+from rapidsim.server.http.app import HttpFrontend
 from rapidsim.server.http.basic import BasicAuthentication
 from rapidsim.server.http.digest import DigestAuthentication
 from rapidsim.server.http.guard import Guard
+from rapidsim.server.http.listener import listen
 from rapidsim.server.http.rws1 import Rws1Dialect
 from rapidsim.server.http.rws2 import Rws2Dialect
 from rapidsim.server.link import DirectLink
@@ -118,17 +118,14 @@ async def _serve(
         Rws1Dialect(users),
         Rws2Dialect(BasicAuthentication(DEFAULT_USERS)),
     )
-    runners = [runner_of(face.app(one)) for one in dialects]
+    listeners = [await listen(face.app(one), face.connections, "127.0.0.1", 0) for one in dialects]
     try:
-        for runner in runners:
-            await runner.setup()
-            await web.TCPSite(runner, "127.0.0.1", 0).start()
-        first, second = (f"http://127.0.0.1:{one.addresses[0][1]}" for one in runners)
+        first, second = (one.address for one in listeners)
         async with _client() as client:
             return await use(Served(first, client, link.engine, face, second))
     finally:
-        for runner in runners:
-            await runner.cleanup()
+        for listener in listeners:
+            await listener.close()
 
 
 def _client() -> aiohttp.ClientSession:

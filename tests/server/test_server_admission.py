@@ -92,16 +92,16 @@ def test_nothing_is_kept_of_clients_that_have_gone(tmp_path: Path) -> None:
 def test_an_idle_session_ends() -> None:
     now, ended = [0.0], list[int]()
     sessions = Sessions(2, 300.0, ended.append, lambda: now[0])
-    first, second = sessions.begin("a"), sessions.begin("b")
+    first, second = sessions.begin("a", "http"), sessions.begin("b", "http")
     assert first
     assert second
-    assert sessions.begin("c") is None
+    assert sessions.begin("c", "http") is None
     now[0] = 200.0
-    assert sessions.find(first.cookies) is first
+    assert sessions.find(first.cookies, "http") is first
     now[0] = 400.0
-    assert sessions.find(second.cookies) is None
+    assert sessions.find(second.cookies, "http") is None
     assert ended == [second.number]
-    assert sessions.find(first.cookies) is first
+    assert sessions.find(first.cookies, "http") is first
 
 
 @pytest.mark.parametrize(
@@ -120,7 +120,7 @@ def test_an_idle_session_ends() -> None:
     ],
 )
 def test_pages_from_elsewhere_do_not_come_in(headers: dict[str, str], lets_in: bool) -> None:
-    assert Guard("127.0.0.1").admits(headers) is lets_in
+    assert Guard("127.0.0.1").admits("GET", "/rw", headers) is lets_in
 
 
 def test_loopback_addresses_are_known() -> None:

@@ -1,8 +1,8 @@
 """Protection against requests of web pages through browsers on the same computer.
 
 A page of another site can make a browser send requests to this server, and a name that resolves to
-this computer (DNS rebinding) makes them look local. Both are revealed by the headers Host and
-Origin, which a page cannot choose.
+this computer (DNS rebinding) makes them look local. Both are revealed by the headers Host, Origin
+and Sec-Fetch-Site, which a page cannot choose.
 """
 
 from __future__ import annotations
@@ -20,14 +20,20 @@ class Guard:
     host: str
     """Host that the server listens on."""
 
-    def admits(self, headers: Mapping[str, str]) -> bool:
-        """Whether a request addresses this server and is not sent by a page of another site."""
+    def admits(self, method: str, path: str, headers: Mapping[str, str]) -> bool:
+        """Whether a request addresses this server and is not sent by a page of another site.
+
+        Such pages may only link to the operator page.
+        """
         host = headers.get("Host", "").lower()
         name = _name(host)
         if name not in ("localhost", self.host.lower()) and not _is_address(name):
             return False
         origin = headers.get("Origin")
-        return origin is None or origin.lower() in (f"http://{host}", f"https://{host}")
+        if origin is not None:
+            return origin.lower() in (f"http://{host}", f"https://{host}")
+        is_link = method == "GET" and path.rstrip("/") == "/ui"
+        return is_link or headers.get("Sec-Fetch-Site", "none") in ("none", "same-origin")
 
 
 def is_loopback(host: str) -> bool:
