@@ -309,8 +309,8 @@ class Engine:
                 return answered(self.context, message)
             case SessionEnded(session):
                 self.context.release_all(session)
-            case Subscribe(resources, group):
-                self.subscriptions.begin(group, resources)
+            case Subscribe(resources, group, session):
+                self.subscriptions.begin(group, resources, session)
             case Unsubscribe(group):
                 self.subscriptions.end(group)
             case FromNetwork(number, port, peer, data, is_over):

@@ -63,8 +63,8 @@ class Subscriptions:
         """The number of groups."""
         return len(self._groups)
 
-    def begin(self, group: int, resources: tuple[str, ...]) -> None:
-        """Subscribe to resources; events with their current values follow first.
+    def begin(self, group: int, resources: tuple[str, ...], session: int) -> None:
+        """Subscribe a session to resources; events with their current values follow first.
 
         Raises:
             RefusedRequest: If there is no such resource; then nothing is subscribed to.
@@ -79,8 +79,8 @@ class Subscriptions:
                 made.domains.append(resource.removeprefix(_LOG).strip("/"))
             elif resource.startswith(_QUEUES):
                 name = resource.removeprefix(_QUEUES).strip("/")
-                if name not in self.context.queues:
-                    raise refused(NOT_FOUND, f"there is no queue {name}")
+                if self.context.queue_of(name, session) is None:
+                    raise refused(NOT_FOUND, f"the client has no queue {name}")
                 made.queues.append(name)
             else:
                 look = self._reader_of(resource)

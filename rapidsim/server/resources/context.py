@@ -35,7 +35,9 @@ class RequestContext:
         """Open the folders of the programs."""
         options = self.live.options
         ramdisk = None if options.ramdisk is None else options.ramdisk.resolve()
-        self.files = FileService((options.home or Path("HOME")).resolve(), ramdisk)
+        self.files = FileService(
+            (options.home or Path("HOME")).resolve(), ramdisk, self.live.cell.home.disk
+        )
 
     def require_mastership(self, domain: str, request: Request) -> None:
         """Refuse if another session holds a mastership.
@@ -64,6 +66,10 @@ class RequestContext:
             and self.masters.get("rapid", request.session) != request.session
         ):
             raise refused(HELD_BY_ANOTHER, "another session has the mastership of edit")
+
+    def queue_of(self, name: str, session: int) -> MessageQueue | None:
+        """Return the queue of a client by name; None if no queue of this session has it."""
+        return self.queues.get(name) if self.owners.get(name) == session else None
 
     def release_all(self, session: int) -> None:
         """Release all resources held by a session."""

@@ -18,11 +18,12 @@ COMMAND: Final = "111"
 KIND: Final = "1"
 _TYPE: Final = re.compile(r"\s*([A-Za-z]\w{0,31})\s*;(.*)", re.DOTALL)
 _MOST_QUEUES: Final = 50
+"""Largest number of queues of one session."""
 _MOST_MESSAGES: Final = 10_000
 
 
 def queues(context: RequestContext, request: Request) -> Answer:
-    """The queues of clients."""
+    """The queues of all clients: others may send to them."""
     del request
     items = (Item("dipc-queue-li", name, {"dipc-queue-name": name}) for name in context.queues)
     return Answer(tuple(items))
@@ -36,7 +37,8 @@ def create(context: RequestContext, request: Request) -> Answer:
     """
     name = required_value(request.form, "dipc-queue-name")
     there = context.live.cell.messages.find(name) is not None
-    if there or not name or len(context.queues) >= _MOST_QUEUES:
+    count_of_client = list(context.owners.values()).count(request.session)
+    if there or not name or count_of_client >= _MOST_QUEUES:
         raise refused(BAD_PARAMETER, f"the queue {name} is there already, or there are too many")
     most = min(max(1, count(request.form, "dipc-queue-size", MOST_MESSAGES)), _MOST_MESSAGES)
     context.queues[name] = context.live.cell.messages.connect(name, most)
@@ -59,7 +61,7 @@ def send(context: RequestContext, request: Request, queue: str) -> Answer:
     if matched is None:
         raise refused(BAD_PARAMETER, "`dipc-data` is a type and a value: `num;5`")
     user = number(form, "dipc-userdef") if "dipc-userdef" in form else NO_USER_DEF
-    sender = context.queues.get(form.get("dipc-src-queue-name", ""))
+    sender = context.queue_of(form.get("dipc-src-queue-name", ""), request.session)
     text = matched[2].strip()
     kind = kind_of(matched[1], text, context.live.tasks.values())
     message = Message(kind, text, sender, user)
@@ -78,9 +80,9 @@ def read(context: RequestContext, request: Request, queue: str) -> Answer:
     Raises:
         RefusedRequest: If the client has no such queue.
     """
-    found = context.queues.get(queue)
+    found = context.queue_of(queue, request.session)
     if found is None:
-        raise refused(NOT_FOUND, f"there is no queue {queue}")
+        raise refused(NOT_FOUND, f"the client has no queue {queue}")
     # RobotWare 6 returns all of them at once, RobotWare 7 one.
     count = len(found.messages) if request.generation == 1 else 1
     kind = "dipc-read-li" if request.generation == 1 else "dipc-read"
@@ -95,9 +97,8 @@ def queue(context: RequestContext, request: Request, queue: str) -> Answer:
     Raises:
         RefusedRequest: If the client has no such queue.
     """
-    del request
-    if queue not in context.queues:
-        raise refused(NOT_FOUND, f"there is no queue {queue}")
+    if context.queue_of(queue, request.session) is None:
+        raise refused(NOT_FOUND, f"the client has no queue {queue}")
     return Answer((Item("dipc-queue-li", queue, {"dipc-queue-name": queue}),))
 
 
