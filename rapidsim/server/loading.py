@@ -86,7 +86,7 @@ def with_cell(loaded_job: LoadedJob, made: PreparedRun) -> ReadyController:
 
 
 def engine_of(
-    made: ReadyController,
+    controller: ReadyController,
     settings: EngineSettings,
     on_notification: Callable[[Notification], None],
     journal: Callable[[str], None] | None = None,
@@ -96,7 +96,7 @@ def engine_of(
     """Switch a controller on and return its engine.
 
     Args:
-        made: Its programs and cell.
+        controller: Its programs and cell.
         settings: Its initial state and pace.
         on_notification: Receives the notifications of the engine.
         journal: Receives each line of the journal.
@@ -107,8 +107,8 @@ def engine_of(
         InputError: If an arm cannot be timed, or no task moves one.
     """
     live = LiveController(
-        made.setups,
-        made.options,
+        controller.setups,
+        controller.options,
         motors=settings.motors,
         mode=settings.mode,
         wire=RecordingWire(wire or NullWire()),

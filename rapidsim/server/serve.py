@@ -15,7 +15,7 @@ from rapidsim.server.http.basic import BasicAuthentication
 from rapidsim.server.http.dialect import Dialect
 from rapidsim.server.http.digest import DigestAuthentication
 from rapidsim.server.http.guard import Guard
-from rapidsim.server.http.listener import Listener, listen
+from rapidsim.server.http.open_port import OpenPort, listen
 from rapidsim.server.http.rws1 import Rws1Dialect
 from rapidsim.server.http.rws2 import Rws2Dialect
 from rapidsim.server.memory import give_large_blocks_back
@@ -87,7 +87,7 @@ async def _serve(
             loop.add_signal_handler(number, over.set)
     first = Rws1Dialect(DigestAuthentication(settings.users))
     second = Rws2Dialect(BasicAuthentication(settings.users))
-    listeners: list[Listener] = []
+    listeners: list[OpenPort] = []
     try:
         rws1 = rws2 = None
         if settings.rws1_port is not None:
@@ -111,7 +111,7 @@ def _defect_line(context: Mapping[str, object]) -> str:
 
 
 async def _listen(
-    listeners: list[Listener],
+    listeners: list[OpenPort],
     face: HttpFrontend,
     dialect: Dialect,
     host: str,

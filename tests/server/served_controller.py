@@ -16,7 +16,7 @@ from rapidsim.server.http.app import HttpFrontend
 from rapidsim.server.http.basic import BasicAuthentication
 from rapidsim.server.http.digest import DigestAuthentication
 from rapidsim.server.http.guard import Guard
-from rapidsim.server.http.listener import listen
+from rapidsim.server.http.open_port import listen
 from rapidsim.server.http.rws1 import Rws1Dialect
 from rapidsim.server.http.rws2 import Rws2Dialect
 from rapidsim.server.link import DirectLink

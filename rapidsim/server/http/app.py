@@ -12,7 +12,7 @@ from typing import Final
 
 from aiohttp import web
 
-from rapidsim.server.http.connections import Connection, Connections
+from rapidsim.server.http.connections import ClientConnection, Connections
 from rapidsim.server.http.dialect import Dialect
 from rapidsim.server.http.failed_logins import FailedLogins
 from rapidsim.server.http.guard import Guard
@@ -97,7 +97,7 @@ class HttpFrontend:
             connection.end_request()
 
     async def _admitted(
-        self, request: web.Request, handler: Handler, connection: Connection
+        self, request: web.Request, handler: Handler, connection: ClientConnection
     ) -> web.StreamResponse:
         """Admit requests that address this server and come from an authenticated user."""
         with decoding():

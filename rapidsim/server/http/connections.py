@@ -1,8 +1,8 @@
 """Connections of clients: their number, and the time until they have logged in.
 
-A connection belongs to its address until a request on it is admitted, then to that session. Whoever
-opens too many loses the oldest one that serves no request, so that neither half requests nor
-handshakes that never end keep others out.
+A connection belongs to its address until a request on it is admitted, then to that session. An
+owner of too many loses the oldest one that serves no request, so that neither half requests nor
+handshakes without end keep others out.
 """
 
 from __future__ import annotations
@@ -35,8 +35,8 @@ class Connections:
     most_of_owner: int = MOST_OF_OWNER
     head_s: float = HEAD_S
     login_s: float = LOGIN_S
-    _by_owner: dict[_Owner, dict[Connection, None]] = field(default_factory=dict)
-    _by_protocol: dict[asyncio.BaseProtocol, Connection] = field(default_factory=dict)
+    _by_owner: dict[_Owner, dict[ClientConnection, None]] = field(default_factory=dict)
+    _by_protocol: dict[asyncio.BaseProtocol, ClientConnection] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
         """Leave half of the open files that the system allows for other purposes."""
@@ -46,11 +46,11 @@ class Connections:
         """Number of connections."""
         return sum(map(len, self._by_owner.values()))
 
-    def of(self, protocol: asyncio.BaseProtocol) -> Connection:
+    def of(self, protocol: asyncio.BaseProtocol) -> ClientConnection:
         """Return the connection of an HTTP protocol."""
         return self._by_protocol[protocol]
 
-    def register(self, connection: Connection) -> None:
+    def register(self, connection: ClientConnection) -> None:
         """Add a connection to those of its owner, and close others where there are too many."""
         self._by_owner.setdefault(connection.owner, {})[connection] = None
         self._by_protocol[connection.protocol] = connection
@@ -59,7 +59,7 @@ class Connections:
         if len(self) > self.most:
             self._close_one(max(self._by_owner, key=lambda owner: len(self._by_owner[owner])))
 
-    def remove(self, connection: Connection) -> None:
+    def remove(self, connection: ClientConnection) -> None:
         """Remove a connection."""
         self._by_protocol.pop(connection.protocol, None)
         connections = self._by_owner.get(connection.owner, {})
@@ -74,7 +74,7 @@ class Connections:
         next(idle, connections[-1]).abort()
 
 
-class Connection(asyncio.Protocol):
+class ClientConnection(asyncio.Protocol):
     """A connection, which passes what arrives to an HTTP protocol."""
 
     def __init__(
@@ -183,7 +183,7 @@ class Connection(asyncio.Protocol):
                 ssl_shutdown_timeout=1.0,
             )
         if secured is None:
-            # Nobody else hears that a handshake has failed.
+            # `connection_lost` is not called after a failed handshake.
             self._stop_timer()
             self._connections.remove(self)
         else:

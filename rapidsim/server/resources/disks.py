@@ -145,11 +145,13 @@ class FileService:
             RefusedRequest: If the disk is full.
         """
         try:
-            self.limit.make(place)
-            if count < 0:
-                self.limit.release(-count)
-            else:
-                self.limit.use(count)
+            self.limit.use(max(0, count))
+            self.limit.release(max(0, -count))
+            try:
+                self.limit.make(place)
+            except RapidError:
+                self.limit.release(count)
+                raise
         except RapidError as error:
             raise refused(BAD_PARAMETER, error.message) from None
 

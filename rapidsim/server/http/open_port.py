@@ -1,4 +1,4 @@
-"""An open port of the server."""
+"""Open ports of the server."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from typing import Final, cast
 
 from aiohttp import web
 
-from rapidsim.server.http.connections import Connection, Connections, MakeProtocol
+from rapidsim.server.http.connections import ClientConnection, Connections, MakeProtocol
 from rapidsim.values import value_class
 
 _LAST_S: Final = 0.2
@@ -21,11 +21,11 @@ _QUIET.disabled = True
 
 
 @value_class(frozen=True, slots=True, eq=False)
-class Listener:
+class OpenPort:
     """A port at which an application is served."""
 
     address: str
-    """Where clients find it: `http://127.0.0.1:8080`."""
+    """Address for clients: `http://127.0.0.1:8080`."""
     _runner: web.AppRunner
     _server: asyncio.Server
 
@@ -41,7 +41,7 @@ async def listen(
     host: str,
     port: int,
     tls: ssl.SSLContext | None = None,
-) -> Listener:
+) -> OpenPort:
     """Serve an application at a port; 0 for a free one.
 
     Raises:
@@ -54,7 +54,7 @@ async def listen(
     make = cast("MakeProtocol", runner.server)
     try:
         server = await asyncio.get_running_loop().create_server(
-            lambda: Connection(connections, make, tls), host, port
+            lambda: ClientConnection(connections, make, tls), host, port
         )
     except OSError:
         await runner.cleanup()
@@ -62,4 +62,4 @@ async def listen(
     scheme = "http" if tls is None else "https"
     shown = f"[{host}]" if ":" in host else host
     number = server.sockets[0].getsockname()[1]
-    return Listener(f"{scheme}://{shown}:{number}", runner, server)
+    return OpenPort(f"{scheme}://{shown}:{number}", runner, server)
