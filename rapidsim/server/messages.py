@@ -41,6 +41,11 @@ class Answer:
     """A successful answer: the requested items or file, or a confirmation."""
 
     items: tuple[Item, ...] = ()
+    resources: tuple[Item, ...] | None = None
+    """Items that are resources of their own, which RobotWare 7 lists apart; None for no list."""
+    base: str | None = None
+    """Address that hrefs are relative to, below the root; None for the service that has a list,
+    and otherwise for the requested address."""
     status: int = 200
     links: tuple[str, ...] = ()
     """Resources below this one."""

@@ -257,4 +257,4 @@ def _show(reply: Reply) -> None:
     assert isinstance(reply, Answer)
     assert 200 <= reply.status < 300
     for show in (bodies.json_body, bodies.hal_body, bodies.xhtml_body):
-        assert show(reply, "http://here/")
+        assert show(reply, bodies.RequestLocation("http://here/", "rw"))

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Final, TypeAlias, TypeVar
@@ -11,6 +11,7 @@ from rapidsim.controller.cell.message_queues import MessageQueue
 from rapidsim.server.messages import Answer, Fields, Request
 from rapidsim.server.resources.codes import BAD_PARAMETER, HELD_BY_ANOTHER, NOT_HELD, refused
 from rapidsim.server.resources.disks import FileService
+from rapidsim.server.versions import ServedVersion, served_versions
 from rapidsim.simulation.live.controller import LiveController
 
 MASTERSHIPS: Final = ("cfg", "motion", "rapid")
@@ -23,6 +24,8 @@ class RequestContext:
     """The controller, and the holders of masterships."""
 
     live: LiveController
+    versions: Mapping[int, ServedVersion] = field(default_factory=lambda: served_versions(None))
+    """Version of RobotWare that each generation of Robot Web Services reports."""
     masters: dict[str, int] = field(default_factory=dict)
     """Session that holds each domain."""
     queues: dict[str, MessageQueue] = field(default_factory=dict)

@@ -52,9 +52,11 @@ class FileService:
             place = self._place(address)
             if place.is_dir():
                 entries = (one for one in sorted(place.iterdir()) if _is_file_or_folder(one))
-                return Answer(tuple(map(_item, entries)))
+                return Answer(resources=tuple(map(_item, entries)))
             if place in self._roots() and not place.exists():
-                return Answer()  # A folder for programs is made when the first writes into it.
+                return Answer(
+                    resources=()
+                )  # A folder for programs is made when the first writes into it.
             if not place.is_file():
                 raise _missing(address)
             with os.fdopen(os.open(place, os.O_RDONLY | CAUTION), "rb") as stream:

@@ -48,7 +48,8 @@ def non_motion_execution(context: RequestContext, request: Request) -> Answer:
 def units(context: RequestContext, request: Request) -> Answer:
     """All robots."""
     del request
-    return Answer(tuple(_unit_item(name, "ms-mechunit-li") for name, _ in _robots(context)))
+    items = (_unit_item(name, "ms-mechunit-li") for name, _ in _robots(context))
+    return Answer(resources=tuple(items))
 
 
 def unit(context: RequestContext, request: Request, unit: str) -> Answer:
@@ -82,13 +83,13 @@ def unit(context: RequestContext, request: Request, unit: str) -> Answer:
 
 
 def joint_target(context: RequestContext, request: Request, unit: str) -> Answer:
-    """The current positions of the axes of a robot."""
-    del request
+    """The current positions of the axes of a robot; RobotWare 7 has 0 for those it lacks."""
     name, task = _robot(context, unit)
     now = position.joints(task)
     fields = {f"rax_{index}": _text(one) for index, one in enumerate(now.robax, start=1)}
-    axes = zip(LETTERS, now.extax, strict=True)
-    fields |= {f"eax_{letter}": _text(one) for letter, one in axes}
+    for letter, one in zip(LETTERS, now.extax, strict=True):
+        is_absent = one == UNUSED_AXIS and request.generation == 2
+        fields[f"eax_{letter}"] = "0" if is_absent else _text(one)
     return Answer((Item("ms-jointtarget", name, fields),))
 
 
@@ -128,7 +129,7 @@ def axes(context: RequestContext, request: Request, unit: str) -> Answer:
         Item("ms-axis-li", str(number), href=f"{address}/{number}")
         for number in range(1, count + 1)
     )
-    return Answer(tuple(items))
+    return Answer(resources=tuple(items))
 
 
 def base_frame(context: RequestContext, request: Request, unit: str) -> Answer:

@@ -25,8 +25,11 @@ _MOST_MESSAGES: Final = 10_000
 def queues(context: RequestContext, request: Request) -> Answer:
     """The queues of all clients: others may send to them."""
     del request
-    items = (Item("dipc-queue-li", name, {"dipc-queue-name": name}) for name in context.queues)
-    return Answer(tuple(items))
+    items = (
+        Item("dipc-queue-li", name, {"dipc-queue-name": name}, href=f"rw/dipc/{name}")
+        for name in context.queues
+    )
+    return Answer(resources=tuple(items))
 
 
 def create(context: RequestContext, request: Request) -> Answer:

@@ -47,10 +47,10 @@ def set_value(context: RequestContext, request: Request, symbol: str) -> Answer:
 
 
 def properties(context: RequestContext, request: Request, symbol: str) -> Answer:
-    """The properties of data: storage class and type."""
-    del request
+    """The properties of data: storage class and type; in RobotWare 7 they stand in a list."""
     task, datum = _find(context, symbol)
-    return Answer((_properties_item(task, datum, ""),))
+    items = (_properties_item(task, datum, ""),)
+    return Answer(items) if request.generation == 1 else Answer(resources=items)
 
 
 def search(context: RequestContext, request: Request) -> Answer:
@@ -64,7 +64,7 @@ def search(context: RequestContext, request: Request) -> Answer:
     try:
         pattern = NamePattern(form.get("regexp") or ".*")
         return Answer(
-            tuple(
+            resources=tuple(
                 _properties_item(task, datum, "-li")
                 for task in tasks
                 for datum in symbols.all_data(task)
