@@ -64,8 +64,7 @@ class Rws2Dialect:
         """Return JSON labelled as HTML if a file is missing, as controllers do."""
         if refusal.status != HTTPStatus.NOT_FOUND:
             return self.represent(request, refusal)
-        body = hal_refusal(refusal, root_of(request))
-        return web.Response(status=refusal.status, text=body, content_type="text/html")
+        return represent(request, refusal, hal_body, hal_refusal, "text/html")
 
     def subscribed(self, request: web.Request, group: int) -> web.Response:
         """Return both addresses: that of the websocket and that of the group."""

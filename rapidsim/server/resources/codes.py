@@ -19,6 +19,7 @@ READ_ONLY: Final = (403, -1073445881)
 
 # Codes of RobotWare 7 for "not found" and "no such symbol" of 6.16.
 LATER_NO_SYMBOL: Final = (404, -1073442816)
+LATER_NO_TASK: Final = (404, -1073445879)
 LATER_NO_MODULE: Final = (400, -1073442813)
 LATER_NO_FILE: Final = (404, -1073438713)
 LATER_NO_VOLUME: Final = (400, -1073438716)
@@ -49,6 +50,7 @@ def refused(
 _OF_SECOND: Final = {
     **_OF,
     RefusalReason.NO_MODULE: LATER_NO_MODULE,
+    RefusalReason.NO_TASK: LATER_NO_TASK,
     RefusalReason.NO_SYMBOL: LATER_NO_SYMBOL,
 }
 """Codes of RobotWare 7 by reason."""

@@ -52,7 +52,7 @@ class FileService:
             place = self._place(address)
             if place.is_dir():
                 entries = (one for one in sorted(place.iterdir()) if _is_file_or_folder(one))
-                return Answer(resources=tuple(map(_item, entries)))
+                return Answer(resources=tuple(_item(address, one) for one in entries))
             if place in self._roots() and not place.exists():
                 return Answer(
                     resources=()
@@ -229,13 +229,14 @@ def _without_case(folder: Path, name: str) -> Path:
     return exact
 
 
-def _item(place: Path) -> Item:
+def _item(folder: str, place: Path) -> Item:
     stat = place.lstat()
     stamp = datetime.fromtimestamp(stat.st_mtime).strftime(_STAMP)
     fields = {"fs-cdate": stamp, "fs-mdate": stamp, "fs-readonly": "false"}
+    href = f"fileservice/{folder}/{place.name}"
     if place.is_dir():
-        return Item("fs-dir", place.name, fields, href=place.name)
-    return Item("fs-file", place.name, {**fields, "fs-size": str(stat.st_size)}, href=place.name)
+        return Item("fs-dir", place.name, fields, href=href)
+    return Item("fs-file", place.name, {**fields, "fs-size": str(stat.st_size)}, href=href)
 
 
 def _missing(address: str) -> RefusedRequest:
