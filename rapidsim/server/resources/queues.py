@@ -8,7 +8,7 @@ from typing import Final
 from rapidsim.controller.cell.message_queues import MOST_MESSAGES
 from rapidsim.language.error_numbers import ERR_RMQ_INVALID
 from rapidsim.language.errors import RapidError
-from rapidsim.language.messages import NO_USER_DEF, Message
+from rapidsim.language.messages import NO_USER_DEF, Message, MessageKind
 from rapidsim.server.messages import DONE, Answer, Item, Request
 from rapidsim.server.resources.codes import BAD_PARAMETER, NOT_FOUND, refused
 from rapidsim.server.resources.context import RequestContext, count, number, required_value
@@ -55,25 +55,28 @@ def send(context: RequestContext, request: Request, queue: str) -> Answer:
     Raises:
         RefusedRequest: If there is no such queue, or it does not accept the message.
     """
-    form, messages = request.form, context.live.cell.messages
+    form, live = request.form, context.live
+    messages = live.cell.messages
     found = messages.find(queue, is_external=True)
     found = found or messages.find(f"RMQ_{queue}", is_external=True)
     if found is None:
         raise refused(NOT_FOUND, f"there is no queue {queue}")
-    matched = _TYPE.fullmatch(required_value(form, "dipc-data"))
-    if matched is None:
-        raise refused(BAD_PARAMETER, "`dipc-data` is a type and a value: `num;5`")
+    data = required_value(form, "dipc-data")
     user = number(form, "dipc-userdef") if "dipc-userdef" in form else NO_USER_DEF
     sender = context.queue_of(form.get("dipc-src-queue-name", ""), request.session)
-    text = matched[2].strip()
-    kind = kind_of(matched[1], text, context.live.tasks.values())
-    message = Message(kind, text, sender, user)
+    if found.name in context.queues:
+        message = Message(MessageKind(""), data, sender, user)
+    elif (matched := _TYPE.fullmatch(data)) is not None:
+        text = matched[2].strip()
+        message = Message(kind_of(matched[1], text, live.tasks.values()), text, sender, user)
+    else:
+        raise refused(BAD_PARAMETER, "`dipc-data` for a task is a type and a value: `num;5`")
     try:
-        found.put(message, context.live.now_s)
+        found.put(message, live.now_s)
     except RapidError as error:
         why = NOT_FOUND if error.errno == ERR_RMQ_INVALID else BAD_PARAMETER
         raise refused(why, error.message) from None
-    context.live.wake_programs()
+    live.wake_programs()
     return DONE
 
 
