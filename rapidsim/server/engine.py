@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from time import monotonic
 from typing import Final, Protocol
 
@@ -221,7 +221,8 @@ class Engine:
     def __post_init__(self) -> None:
         """Switch the controller on."""
         self.context = RequestContext(self.live)
-        self.subscriptions = Subscriptions(self.context, self.notify)
+        is_paced = not isinstance(self.pace, LockStep)
+        self.subscriptions = Subscriptions(self.context, self.notify, is_paced)
         self.live.on_log_entry = self._logged
         self.live.on_finding = self._print_finding
         self._note(lambda: switched_on_line(self.live.motors, self.live.mode))
@@ -247,8 +248,9 @@ class Engine:
 
     def step(self) -> bool:
         """Dispatch one event that is due; return whether there was one."""
-        stepped = self.live.step(self.pace.horizon_s())
-        self._publish_changes()
+        horizon_s = min(self.pace.horizon_s(), self.subscriptions.next_due_s)
+        stepped = self.live.step(horizon_s)
+        self._publish_changes(has_changed=stepped)
         if stepped:
             self._report_lag()
         return stepped
@@ -260,7 +262,7 @@ class Engine:
 
     def wait_s(self) -> float | None:
         """Return the wall-clock time [s] until the next event; None for indefinitely."""
-        return self.pace.wait_s(self.live.next_due_s)
+        return self.pace.wait_s(min(self.live.next_due_s, self.subscriptions.next_due_s))
 
     def reply(self, message: Inquiry) -> Reply:
         """Answer a message at the current virtual time."""
@@ -292,14 +294,15 @@ class Engine:
             return self._done(message)
         except RefusedRequest as refused:
             is_later = isinstance(message, Request) and message.generation == 2
-            return refused.later if is_later else refused.refusal
+            refusal = refused.later if is_later else refused.refusal
+            return replace(refusal, message=self.context.without_paths(refusal.message))
         except Exception as error:
             # A defect of rapidsim ends a request, not the controller.
             defect = f"rapidsim has a defect: {type(error).__name__}: {error}"
             self.notify(
                 ConsoleLine(f"error: {defect}; please report it with the request, {message!r}")
             )
-            return ErrorAnswer(500, -1, defect)
+            return ErrorAnswer(500, -1, self.context.without_paths(defect))
 
     def _done(self, message: Inquiry) -> Reply:
         match message:
@@ -309,8 +312,8 @@ class Engine:
                 return answered(self.context, message)
             case SessionEnded(session):
                 self.context.release_all(session)
-            case Subscribe(resources, group, session):
-                self.subscriptions.begin(group, resources, session)
+            case Subscribe():
+                self.subscriptions.begin(message)
             case Unsubscribe(group):
                 self.subscriptions.end(group)
             case FromNetwork(number, port, peer, data, is_over):
@@ -350,9 +353,9 @@ class Engine:
         else:
             self._deferred_lines.append(line())
 
-    def _publish_changes(self) -> None:
+    def _publish_changes(self, *, has_changed: bool = True) -> None:
         """Notify subscriptions and the recorder of changes."""
-        self.subscriptions.publish_changes()
+        self.subscriptions.publish_changes(has_changed=has_changed)
         if self.recorder is not None:
             self.recorder.update()
 

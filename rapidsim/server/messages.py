@@ -113,7 +113,9 @@ class Subscribe:
 
     resources: Annotated[tuple[str, ...], Key("subscribe")]
     group: int
-    session: int = 0
+    session: Annotated[int, ValueForm.OPTIONAL] = 0
+    priorities: Annotated[tuple[int, ...], ValueForm.OPTIONAL] = ()
+    """Priority of each resource: 0 low, 1 medium, 2 high, which is also that of a missing one."""
 
 
 @value_class(frozen=True, slots=True)

@@ -27,6 +27,7 @@ MOST_GROUPS: Final = 64
 """Largest number of subscription groups of one session."""
 MOST_RESOURCES: Final = 1000
 """Largest number of resources of all groups of one session."""
+_PRIORITIES: Final = {"0": 0, "1": 1, "2": 2}
 _PARTING_S: Final = 1.0
 """Time [s] in which a client must confirm that its websocket is closed."""
 _NO_SPEAKING: Final = b"Client cannot send data."
@@ -73,7 +74,9 @@ class SubscriptionGroups:
     ) -> web.StreamResponse:
         """Answer a request for a new group."""
         # A value is a resource if its key has a priority, whatever its number.
-        resources = tuple(value for key, value in form.items() if f"{key}-p" in form)
+        listed = {key: value for key, value in form.items() if f"{key}-p" in form}
+        resources = tuple(listed.values())
+        priorities = tuple(_PRIORITIES.get(form[f"{key}-p"], 1) for key in listed)
         others = [one for one in self._groups.values() if one.session == session]
         count = len(resources) + sum(one.resources for one in others)
         if not resources or count > MOST_RESOURCES or len(others) >= MOST_GROUPS:
@@ -82,7 +85,7 @@ class SubscriptionGroups:
         self._last += 1
         group = _Group(self._last, session, len(resources))
         self._groups[group.number] = group
-        reply = await self.request_engine(Subscribe(resources, group.number, session))
+        reply = await self.request_engine(Subscribe(resources, group.number, session, priorities))
         if isinstance(reply, ErrorAnswer):
             del self._groups[group.number]
             return dialect.represent(request, reply)

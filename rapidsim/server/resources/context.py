@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -33,6 +34,8 @@ class RequestContext:
     owners: dict[str, int] = field(default_factory=dict)
     """Session that created each queue."""
     files: FileService = field(init=False)
+    _folders: tuple[str, ...] = field(init=False)
+    """Folders of the programs on this computer, those inside others first."""
 
     def __post_init__(self) -> None:
         """Open the folders of the programs."""
@@ -41,6 +44,17 @@ class RequestContext:
         self.files = FileService(
             (options.home or Path("HOME")).resolve(), ramdisk, self.live.cell.home.disk
         )
+        modules = (module for one in self.live.setups for module in one.program.modules)
+        folders = {Path(module.source.file).absolute().parent for module in modules}
+        folders |= {one for one in (options.home, options.ramdisk) if one is not None}
+        names = {str(one) for folder in folders for one in (folder, folder.resolve())}
+        self._folders = tuple(sorted(names, key=len, reverse=True))
+
+    def without_paths(self, message: str) -> str:
+        """Return a message without the places of its files on this computer."""
+        for folder in self._folders:
+            message = message.replace(f"{folder}{os.sep}", "").replace(folder, "HOME:")
+        return message
 
     def require_mastership(self, domain: str, request: Request) -> None:
         """Refuse if another session holds a mastership.
