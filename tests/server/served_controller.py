@@ -108,7 +108,7 @@ async def _serve(
     file: Path, home: Path, use: Callable[[Served], Awaitable[T]], limits: dict[str, Any]
 ) -> T:
     home.mkdir(exist_ok=True)
-    made = ready(RunRequest(paths=(str(file),), home=str(home)))
+    made = ready(RunRequest(paths=(str(file),), home=str(home), may_be_empty=True))
     settings = EngineSettings(request_s=STEP_S)
     link = DirectLink(lambda told: engine_of(made, settings, told))
     users = DigestAuthentication(DEFAULT_USERS)

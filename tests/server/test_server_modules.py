@@ -50,6 +50,28 @@ def test_a_module_that_a_client_uploads_is_loaded_run_and_unloaded(tmp_path: Pat
     serve(tmp_path, PROGRAM, use)
 
 
+def test_a_controller_without_a_program_has_it_loaded_later(tmp_path: Path) -> None:
+    (tmp_path / "cell").mkdir()
+    program = "MODULE Late\nPERS num made := 0;\nPROC main()\nmade := 7;\nENDPROC\nENDMODULE\n"
+
+    async def use(served: Served) -> None:
+        (task,) = await served.get("rw/rapid/tasks")
+        assert (task["name"], task["excstate"]) == ("T_ROB1", "uninitialized")
+        start = "rw/rapid/execution?action=start"
+        assert await served.post(start) == (400, -1073442809)
+        async with served.client.put(f"{served.base}/fileservice/$HOME/l.mod", data=program) as put:
+            assert put.status == 201
+        load = "rw/rapid/tasks/T_ROB1?action=loadmod"
+        assert await served.post(load, modulepath="$HOME/l.mod") == (204, 0)
+        assert await served.post("rw/rapid/execution?action=resetpp") == (204, 0)
+        assert await served.post(start, cycle="once") == (204, 0)
+        assert await served.value("made") == "7"
+        names = [one["name"] for one in await served.get("rw/rapid/modules?task=T_ROB1")]
+        assert names == ["user", "Late"]
+
+    serve(tmp_path, None, use)
+
+
 OTHER = """MODULE Other
     PERS num rounds := 0;
     PROC main()

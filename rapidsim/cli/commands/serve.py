@@ -191,6 +191,7 @@ def serve(options: ServeOptions) -> int:
         task=options.task,
         io=options.io,
         entry=DEFAULT_ENTRY,
+        may_be_empty=True,
         assume_missing=options.assume_missing,
         home=options.home,
         ramdisk=options.ramdisk,

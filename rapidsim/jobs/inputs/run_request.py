@@ -38,6 +38,8 @@ class RunRequest:
     io: str | None = None
     """File of signals and changes of inputs, in addition to those of the station."""
     entry: str = DEFAULT_ENTRY
+    may_be_empty: bool = False
+    """Whether folders may have no modules, and programs no entry: clients load them later."""
     assume_missing: bool = False
     """Whether undeclared names are assumed to exist; the station may also enable it."""
     strict: bool = False
