@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
-from typing import Final
 
 from rapidsim.analysis.names.signal_violations import UnknownSignal
 from rapidsim.controller.cell.description import SignalDeclaration, SignalKind
@@ -15,7 +14,7 @@ from rapidsim.diagnostics import Diagnostic
 from rapidsim.jobs.inputs.job import job
 from rapidsim.jobs.inputs.run_request import RunRequest
 from rapidsim.jobs.running.run_files import LoadedJob, PreparedRun, loaded, prepared
-from rapidsim.server.derived_parameters import with_derived
+from rapidsim.server.derived_parameters import is_guided, with_derived
 from rapidsim.server.engine import Engine, FullPace, LockStep, Pace, WallPace
 from rapidsim.server.messages import Notification
 from rapidsim.server.sensors import RecordingSensors
@@ -25,9 +24,6 @@ from rapidsim.simulation.live.controller import LiveController
 from rapidsim.simulation.options import RunOptions
 from rapidsim.simulation.task_run import TaskSetup
 from rapidsim.values import value_class
-
-_GUIDED: Final = "egmident"
-"""Data type that every program guided by a sensor uses."""
 
 
 @value_class(frozen=True, slots=True, eq=False)
@@ -44,8 +40,7 @@ class ReadyController:
     @property
     def is_guided(self) -> bool:
         """Whether a program is written for sensors that guide its robot."""
-        modules = (module for setup in self.setups for module in setup.program.modules)
-        return any(_GUIDED in module.source.text.lower() for module in modules)
+        return is_guided(self.setups)
 
 
 def ready(request: RunRequest) -> ReadyController:

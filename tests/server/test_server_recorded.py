@@ -107,6 +107,12 @@ def _signal(title: str) -> dict[str, Any]:
     }
 
 
+def _listed(path: str, kind: str, *titles: str) -> dict[str, Any]:
+    """A list of resources whose items have other fields than were recorded."""
+    items = [{**_itself(one), "_type": kind, "_title": one} for one in titles]
+    return {"_links": _links(f"{path}/"), "_embedded": {"resources": items}}
+
+
 BODIES: dict[str, dict[str, Any]] = {
     "rw/panel/ctrl-state": {
         "_links": _links("rw/panel/ctrl-state/"),
@@ -193,6 +199,7 @@ BODIES: dict[str, dict[str, Any]] = {
             ]
         },
     },
+    "fileservice": _listed("fileservice", "fs-dir", "HOME", "TEMP", "RAMDISK", "BACKUP"),
     "rw/cfg/EIO/EIO_SIGNAL/instances/ES1": {
         "_links": _links("rw/cfg/", "EIO/EIO_SIGNAL/instances/ES1"),
         "_embedded": {
@@ -333,6 +340,25 @@ async def _pages(served: Served) -> None:
     assert (system["_type"], options["_type"]) == ("sys-system-li", "sys-options-li")
     assert options["options"][0]["_type"] == "sys-option-li"
     assert system.keys() >= {"name", "rwversion", "sysid", "starttm", "rwversionname"}
+    for path, kind, names in (
+        ("rw/system/robottype", "sys-robottype", {"robot-type"}),
+        ("rw/system/license", "sys-license", {"license"}),
+        ("rw/retcode?code=-1073445859", "err-desc", {"name", "code", "severity", "description"}),
+        ("rw/rapid/tasks/T_ROB1/motion", "rap-motion", {"mechunit"}),
+        ("rw/rapid/tasks/T_ROB1/motion?resource=jointtarget", "ms-jointtarget", {"rax_1"}),
+        ("rw/rapid/tasks/T_ROB1/motion?resource=robtarget", "ms-robtargets", {"q1"}),
+        ("ctrl/identity", "ctrl-identity-info", {"ctrl-name", "ctrl-type", "ctrl-level"}),
+    ):
+        (item,) = await served.get(path)
+        assert item["_type"] == kind
+        assert item.keys() >= names
+    (groups,) = await served.get("rw/devices")
+    assert [one["_title"] for one in groups["devices"]] == ["HW_DEVICES", "SW_RESOURCES"]
+    (units,) = await served.get("rw/devices/HW_DEVICES")
+    assert {one["_type"] for one in units["devices"]} == {"dev-id-li"}
+    assert [one["_title"] for one in units["devices"]] == ["CONTROLLER", "ROB_1"]
+    disks = {one["_title"]: one for one in await served.get("fileservice")}
+    assert disks["$RAMDISK"]["fs-device-type"] == "ramdisk"
     url = f"{served.base}/rw/iosystem/signals?action=signal-search"
     async with served.client.post(url, data={"name": "TEST_DO"}) as answer:
         text = await answer.text()

@@ -56,6 +56,11 @@ class DiskLimit:
         self._used = 0
         self._made = 0
 
+    @property
+    def free(self) -> int:
+        """Number of bytes that may still be written."""
+        return DISK_BYTES - self._used
+
     def use(self, count: int) -> None:
         """Use more bytes.
 

@@ -15,7 +15,7 @@ JSON: Final = "application/json"
 XHTML: Final = "application/xhtml+xml"
 _DONE: Final = 294912
 """Code of success in RobotWare 7."""
-_PARTS: Final = {"sys-options-li": "options"}
+_PARTS: Final = {"sys-options-li": "options", "dev-id": "devices"}
 """The name under which JSON has the parts of an item of a class; `attrib` for all others."""
 _XHTML_KINDS: Final = {"sys-options": "sys-option"}
 """Classes that RobotWare 7 names otherwise in XHTML than in JSON."""

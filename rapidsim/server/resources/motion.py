@@ -82,6 +82,25 @@ def unit(context: RequestContext, request: Request, unit: str) -> Answer:
     return Answer((item,), links=("jointtarget", "robtarget", "cartesian", "baseframe", "axes"))
 
 
+def of_task(context: RequestContext, request: Request, task: str) -> Answer:
+    """The mechanical unit of a task, or its `jointtarget` or `robtarget` as `resource`.
+
+    Raises:
+        RefusedRequest: If the task moves no robot.
+    """
+    name = context.live.task(task).name
+    for unit, one in _robots(context):
+        if one.name == name:
+            match request.query.get("resource"):
+                case "jointtarget":
+                    return joint_target(context, request, unit)
+                case "robtarget":
+                    return rob_target(context, request, unit)
+                case _:
+                    return Answer((Item("rap-motion", name, {"mechunit": unit}),))
+    raise refused(BAD_PARAMETER, f"{name} moves no robot")
+
+
 def joint_target(context: RequestContext, request: Request, unit: str) -> Answer:
     """The current positions of the axes of a robot; RobotWare 7 has 0 for those it lacks."""
     name, task = _robot(context, unit)

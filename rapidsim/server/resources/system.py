@@ -7,6 +7,7 @@ from datetime import datetime
 from typing import Final
 
 from rapidsim import __version__
+from rapidsim.server.derived_parameters import robots
 from rapidsim.server.messages import DONE, Answer, Item, Request
 from rapidsim.server.resources.codes import (
     BAD_PARAMETER,
@@ -90,6 +91,21 @@ def options(context: RequestContext, request: Request) -> Answer:
     if request.generation == 2:
         return Answer(items)
     return Answer((Item("sys-options-li", "options", parts=items, href=_OPTIONS),))
+
+
+def robot_type(context: RequestContext, request: Request) -> Answer:
+    """The type of the first robot; no content if there is none."""
+    del request
+    for _, setup in robots(context.live.setups):
+        assert setup.robot is not None
+        return Answer((Item("sys-robottype", "robottype", {"robot-type": setup.robot.name}),))
+    return DONE
+
+
+def license_(context: RequestContext, request: Request) -> Answer:
+    """The licence of the system, which a virtual controller does not need."""
+    del context, request
+    return Answer((Item("sys-license", "license", {"license": "Virtual Controller"}),))
 
 
 def mastership(context: RequestContext, request: Request) -> Answer:
