@@ -7,7 +7,7 @@ may wait; tests drive it by hand.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, replace
 from time import monotonic
 from typing import Final, Protocol
@@ -45,6 +45,7 @@ from rapidsim.server.resources.operator_view import looked
 from rapidsim.server.resources.table import answered
 from rapidsim.server.sensors import RecordingSensors
 from rapidsim.server.subscriptions import Subscriptions
+from rapidsim.server.versions import ServedVersion, served_versions
 from rapidsim.server.wire import RecordingWire
 from rapidsim.simulation.live.controller import LiveController
 from rapidsim.simulation.live.event_log import LogEntry
@@ -210,6 +211,8 @@ class Engine:
     """Receives changes that clients have subscribed to, and lines for the console."""
     journal: Callable[[str], None] | None = None
     """Receives each line of the journal; None if none is kept."""
+    versions: Mapping[int, ServedVersion] = field(default_factory=lambda: served_versions(None))
+    """Version of RobotWare that each generation of Robot Web Services reports."""
     recorder: RunObserver | None = field(init=False, default=None)
     """Observer that shows the run; None if nothing is recorded."""
     context: RequestContext = field(init=False)
@@ -220,12 +223,13 @@ class Engine:
 
     def __post_init__(self) -> None:
         """Switch the controller on."""
-        self.context = RequestContext(self.live)
+        self.context = RequestContext(self.live, self.versions)
         is_paced = not isinstance(self.pace, LockStep)
         self.subscriptions = Subscriptions(self.context, self.notify, is_paced)
         self.live.on_log_entry = self._logged
         self.live.on_finding = self._print_finding
-        self._note(lambda: switched_on_line(self.live.motors, self.live.mode))
+        major = self.versions[2].robotware.major
+        self._note(lambda: switched_on_line(self.live.motors, self.live.mode, major))
         if self.journal is not None:
             self._listen()
             if isinstance(self.live.wire, RecordingWire):

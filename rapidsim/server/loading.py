@@ -14,11 +14,13 @@ from rapidsim.diagnostics import Diagnostic
 from rapidsim.jobs.inputs.job import job
 from rapidsim.jobs.inputs.run_request import RunRequest
 from rapidsim.jobs.running.run_files import LoadedJob, PreparedRun, loaded, prepared
+from rapidsim.language.robotware import RobotWare
 from rapidsim.server.derived_parameters import is_guided, with_derived
 from rapidsim.server.engine import Engine, FullPace, LockStep, Pace, WallPace
 from rapidsim.server.messages import Notification
 from rapidsim.server.sensors import RecordingSensors
 from rapidsim.server.settings import EngineSettings
+from rapidsim.server.versions import served_versions
 from rapidsim.server.wire import RecordingWire
 from rapidsim.simulation.live.controller import LiveController
 from rapidsim.simulation.options import RunOptions
@@ -36,6 +38,8 @@ class ReadyController:
     ramdisk: Path
     notes: tuple[str, ...] = ()
     """Remarks on a backup or a robot."""
+    robotware: RobotWare | None = None
+    """Version of the station or backup; None if it names none."""
 
     @property
     def is_guided(self) -> bool:
@@ -77,6 +81,7 @@ def with_cell(loaded_job: LoadedJob, made: PreparedRun) -> ReadyController:
         home.resolve(),
         ramdisk.resolve(),
         (*loaded_job.job.station.remarks, *notices),
+        loaded_job.job.station.robotware,
     )
 
 
@@ -109,7 +114,8 @@ def engine_of(
         wire=RecordingWire(wire or NullWire()),
         sensors=RecordingSensors(sensors or NoSensors()),
     )
-    return Engine(live, _pace(settings), on_notification, journal)
+    versions = served_versions(controller.robotware, settings.robotware)
+    return Engine(live, _pace(settings), on_notification, journal, versions)
 
 
 def _pace(settings: EngineSettings) -> Pace:

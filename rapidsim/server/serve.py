@@ -68,7 +68,14 @@ async def _serve(
     noted: Callable[[str], None],
 ) -> bool:
     guard = Guard(settings.host)
-    face = HttpFrontend(engine, guard, noted, settings.most_sessions, settings.session_timeout_s)
+    face = HttpFrontend(
+        engine,
+        guard,
+        noted,
+        settings.most_sessions,
+        settings.session_timeout_s,
+        settings.latencies_s,
+    )
 
     def told(notification: Notification) -> None:
         if isinstance(notification, ConsoleLine):

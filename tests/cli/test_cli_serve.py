@@ -66,6 +66,7 @@ def test_a_port_that_is_taken_is_told(tmp_path: Path) -> None:
         (("job.mod", "--user", "nobody"), "takes NAME:PASSWORD"),
         (("job.mod", "--rws1-port", "off"), "nobody could reach"),
         (("job.mod", "--rws1-port", "70000"), "neither a number from 0 to 65535 nor off"),
+        (("job.mod", "--robotware", "8", "--rws1-port", "0"), "RobotWare 8 does not speak it"),
         (("-",), "no program from standard input"),
         (("none.mod",), "none.mod"),
     ],

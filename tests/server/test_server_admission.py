@@ -154,7 +154,6 @@ def test_files_come_and_go_and_nobody_leaves_the_home_folder(tmp_path: Path) -> 
             "$HOME/out/secret.txt",
             "$NOWHERE/a.txt",
             "etc/passwd",
-            "",
         ):
             status, body = await ask("GET", path)
             assert status == 404, path
@@ -162,6 +161,11 @@ def test_files_come_and_go_and_nobody_leaves_the_home_folder(tmp_path: Path) -> 
             assert (await ask("PUT", path, data=b"x"))[0] in (400, 404), path
             assert (await ask("DELETE", path))[0] in (400, 404), path
         assert (await ask("DELETE", "$HOME"))[0] == 400
+        assert [(await ask(method, ""))[0] for method in ("GET", "PUT", "DELETE")] == [
+            200,
+            400,
+            400,
+        ]
         assert (await ask("DELETE", "$HOME/logs/a.txt"))[0] == 204
         assert (await ask("DELETE", "$HOME/logs/a.txt"))[0] == 404
         assert (tmp_path / "secret.txt").read_text() == "secret"
@@ -194,6 +198,17 @@ def test_half_a_request_and_none_are_no_faults_of_the_server(
     serve(tmp_path, IDLE, use)
     assert not caplog.records
     assert not (tmp_path / "home" / "x").exists()
+
+
+def test_an_answer_may_come_as_late_as_that_of_a_controller(tmp_path: Path) -> None:
+    async def use(served: Served) -> None:
+        loop = asyncio.get_running_loop()
+        for action, wait_s in (("resetpp", 0.0), ("start", 0.3)):
+            began_s = loop.time()
+            assert await served.post(f"rw/rapid/execution?action={action}") == (204, 0)
+            assert loop.time() - began_s >= wait_s
+
+    serve(tmp_path, IDLE, use, latencies_s={"start": 0.3})
 
 
 def test_nothing_that_a_client_sends_ends_the_server(tmp_path: Path) -> None:

@@ -56,20 +56,28 @@ class ServeOptions:
         show_default=True,
         help="The address to listen on.",
     )
-    rws1_port: str = option(
+    robotware: str | None = option(
+        "--robotware",
+        type=click.Choice(["6", "7", "8"]),
+        help="Serve only RobotWare 6 (Robot Web Services 1.0), 7 or 8 (2.0); default: both, with "
+        "the version of the backup.",
+    )
+    rws1_port: str | None = option(
         "--rws1-port",
         metavar="N|off",
-        default="8080",
-        show_default=True,
         help="The port of Robot Web Services 1.0 (RobotWare 6); 0 picks a free one, off disables "
-        "it.",
+        "it; default 8080.",
     )
-    rws2_port: str = option(
+    rws2_port: str | None = option(
         "--rws2-port",
         metavar="N|off",
-        default="8443",
-        show_default=True,
-        help="The port of Robot Web Services 2.0 (RobotWare 7), with TLS.",
+        help="The port of Robot Web Services 2.0 (RobotWare 7 and 8), with TLS; default 8443.",
+    )
+    latency: str | None = option(
+        "--latency",
+        type=click.Choice(["irc5"]),
+        help="Answer starts and loads of modules as late as this controller: irc5 after 10 and "
+        "13 s.",
     )
     speed: str = option(
         "--speed",
@@ -175,7 +183,7 @@ def serve(options: ServeOptions) -> int:
     Exit codes: 0 ended on request, 1 the program has errors, 2 wrong usage or a port in use.
     """
     require("aiohttp", "rapidsim serve")
-    ports = _port("--rws1-port", options.rws1_port), _port("--rws2-port", options.rws2_port)
+    ports = _ports(options)
     if ports[1] is not None:
         require("cryptography", "--rws2-port")
     from rapidsim.jobs.running.run_files import ProgramRejectedError
@@ -258,6 +266,7 @@ def _engine_settings(options: ServeOptions) -> EngineSettings:
         request_s=(options.request_time or 0.05) if options.lock_step else None,
         motors=Motors.ON if options.motors == "on" else Motors.OFF,
         mode=OperatingMode(_MODES[options.opmode]),
+        robotware=None if options.robotware is None else int(options.robotware),
         hosts=frozenset(options.network_hosts),
         sensors=tuple(map(read_device, options.sensors)),
         journal=None if options.journal is None else Path(options.journal),
@@ -267,7 +276,7 @@ def _engine_settings(options: ServeOptions) -> EngineSettings:
 
 
 def _server_settings(options: ServeOptions, ports: tuple[int | None, int | None]) -> ServerSettings:
-    from rapidsim.server.settings import DEFAULT_USERS, ServerSettings
+    from rapidsim.server.settings import DEFAULT_USERS, LATENCIES, NO_LATENCIES, ServerSettings
 
     return ServerSettings(
         host=options.host,
@@ -275,9 +284,30 @@ def _server_settings(options: ServeOptions, ports: tuple[int | None, int | None]
         rws2_port=ports[1],
         tls=None if ports[1] is None else _tls(),
         users=_users(options.users) if options.users else DEFAULT_USERS,
+        latencies_s=LATENCIES[options.latency] if options.latency else NO_LATENCIES,
         most_sessions=options.max_sessions,
         # In lock-step nothing depends on the wall, sessions included.
         session_timeout_s=inf if options.lock_step else options.session_timeout,
+    )
+
+
+def _ports(options: ServeOptions) -> tuple[int | None, int | None]:
+    """Return the ports of both generations; None for one that is not served.
+
+    Raises:
+        InputError: If a port is none, or of a generation that the version does not speak.
+    """
+    defaults = {"6": ("8080", "off"), "7": ("off", "8443"), "8": ("off", "8443")}
+    first, second = defaults.get(options.robotware or "", ("8080", "8443"))
+    for name, text, default in (
+        ("--rws1-port", options.rws1_port, first),
+        ("--rws2-port", options.rws2_port, second),
+    ):
+        if default == "off" and text not in (None, "off"):
+            raise InputError(f"{name} {text}: RobotWare {options.robotware} does not speak it")
+    return (
+        _port("--rws1-port", options.rws1_port or first),
+        _port("--rws2-port", options.rws2_port or second),
     )
 
 

@@ -6,7 +6,7 @@ The engine decides the outcome of a request. Both generations share sessions and
 from __future__ import annotations
 
 import asyncio
-from collections.abc import Awaitable, Callable
+from collections.abc import Awaitable, Callable, Mapping
 from dataclasses import dataclass, field
 from typing import Final
 
@@ -29,6 +29,7 @@ from rapidsim.server.messages import (
     SessionEnded,
 )
 from rapidsim.server.resources.codes import NOT_FOUND
+from rapidsim.server.settings import NO_LATENCIES
 
 Handler = Callable[[web.Request], Awaitable[web.StreamResponse]]
 _SESSION: Final = web.RequestKey("session", Session)
@@ -45,6 +46,8 @@ class HttpFrontend:
     """Called with lines for the console."""
     most_sessions: int = 70
     idle_s: float = 300.0
+    latencies_s: Mapping[str, float] = field(default_factory=lambda: NO_LATENCIES)
+    """Time [s] until an operation is answered, by its name."""
     connections: Connections = field(default_factory=Connections)
     sessions: Sessions = field(init=False)
     groups: SubscriptionGroups = field(init=False)
@@ -179,6 +182,9 @@ class HttpFrontend:
             request, path, request[_SESSION].number, dialect.generation, is_file=has_content
         )
         reply = await self.link.request(message)
+        operation = message.action or path.rpartition("/")[2]
+        if request.method == "POST" and operation in self.latencies_s:
+            await asyncio.sleep(self.latencies_s[operation])
         if is_file and isinstance(reply, ErrorAnswer):
             return dialect.file_refused(request, reply)
         if is_file and request.method != "GET":

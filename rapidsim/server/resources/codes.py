@@ -15,6 +15,9 @@ BAD_STATE: Final = (400, -1073442809)
 HELD_BY_ANOTHER: Final = (403, -1073445862)
 NOT_HELD: Final = (403, -1073445859)
 NOT_ALLOWED: Final = (403, -1073445867)
+NO_WRITE_ACCESS: Final = (403, -1073435873)
+WRITE_ACCESS_TAKEN: Final = (403, -1073435870)
+GONE: Final = (410, -1073414146)
 READ_ONLY: Final = (403, -1073445881)
 
 # Codes of RobotWare 7 for "not found" and "no such symbol" of 6.16.

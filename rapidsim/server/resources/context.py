@@ -10,14 +10,30 @@ from typing import Final, TypeAlias, TypeVar
 
 from rapidsim.controller.cell.message_queues import MessageQueue
 from rapidsim.server.messages import Answer, Fields, Request
-from rapidsim.server.resources.codes import BAD_PARAMETER, HELD_BY_ANOTHER, NOT_HELD, refused
+from rapidsim.server.resources.codes import (
+    BAD_PARAMETER,
+    HELD_BY_ANOTHER,
+    NO_WRITE_ACCESS,
+    NOT_HELD,
+    refused,
+)
 from rapidsim.server.resources.disks import FileService
 from rapidsim.server.versions import ServedVersion, served_versions
 from rapidsim.simulation.live.controller import LiveController
+from rapidsim.values import value_class
 
 MASTERSHIPS: Final = ("cfg", "motion", "rapid")
 
 T = TypeVar("T")
+
+
+@value_class(frozen=True, slots=True)
+class ControlStation:
+    """A client that may request write access in RobotWare 8."""
+
+    identity: str
+    """GUID in braces."""
+    name: str
 
 
 @dataclass(slots=True)
@@ -29,6 +45,14 @@ class RequestContext:
     """Version of RobotWare that each generation of Robot Web Services reports."""
     masters: dict[str, int] = field(default_factory=dict)
     """Session that holds each domain."""
+    stations: dict[int, ControlStation] = field(default_factory=dict)
+    """Control station of each session that has registered."""
+    writer: ControlStation | None = None
+    """Control station that may write, in RobotWare 8."""
+    is_access_held: bool = False
+    """Whether it has not written since it requested write access."""
+    appeals: int = 0
+    """Number of requests to release the write access."""
     queues: dict[str, MessageQueue] = field(default_factory=dict)
     """Message queues of clients, by name, in the case they were created with."""
     owners: dict[str, int] = field(default_factory=dict)
@@ -56,14 +80,25 @@ class RequestContext:
             message = message.replace(f"{folder}{os.sep}", "").replace(folder, "HOME:")
         return message
 
-    def require_mastership(self, domain: str, request: Request) -> None:
-        """Refuse if another session holds a mastership.
+    @property
+    def has_control_stations(self) -> bool:
+        """Whether control stations take the place of masterships, as in RobotWare 8."""
+        return self.versions[2].robotware.major >= 8
 
-        RobotWare 6 takes it implicitly if no session holds it, RobotWare 7 does not.
+    def require_mastership(self, domain: str, request: Request) -> None:
+        """Refuse if another session holds a mastership, or in RobotWare 8 the write access.
+
+        RobotWare 6 takes it implicitly if no session holds it, later ones do not.
 
         Raises:
             RefusedRequest: If another session holds it, or it is required and not held.
         """
+        if request.generation == 2 and self.has_control_stations:
+            station = self.stations.get(request.session)
+            if station is None or station != self.writer:
+                raise refused(NO_WRITE_ACCESS, "The control station does not have SPoC.")
+            self.is_access_held = False
+            return
         holder = self.masters.get(domain)
         if holder == request.session:
             return
@@ -78,7 +113,10 @@ class RequestContext:
         Raises:
             RefusedRequest: If another session holds it.
         """
-        if (
+        if self.has_control_stations and request.generation == 2:
+            if self.is_access_held and self.stations.get(request.session) != self.writer:
+                raise refused(NO_WRITE_ACCESS, "The control station does not have SPoC.")
+        elif (
             request.generation == 2
             and self.masters.get("rapid", request.session) != request.session
         ):
@@ -90,6 +128,7 @@ class RequestContext:
 
     def release_all(self, session: int) -> None:
         """Release all resources held by a session."""
+        self.stations.pop(session, None)
         self.masters = {key: one for key, one in self.masters.items() if one != session}
         for name in [name for name, owner in self.owners.items() if owner == session]:
             self.live.cell.messages.disconnect(name)

@@ -12,6 +12,7 @@ from typing import Final
 from rapidsim.server.messages import Answer, Request
 from rapidsim.server.resources import (
     configuration,
+    control_stations,
     event_log,
     files,
     hardware,
@@ -197,8 +198,58 @@ _SECOND: Final = (
     Route("POST", "rw/_istream/streamdisconnect", system.nothing_to_end),
 )
 
-ROUTES: Final[Mapping[int, tuple[Route, ...]]] = {1: (*_FIRST, *_BOTH), 2: (*_SECOND, *_BOTH)}
-"""Routes by generation; if several match an address, the first counts."""
+_STATION: Final = "rw/controlstation"
+_ACCESS: Final = f"{_STATION}/writeaccess"
+_MASTERSHIP: Final = ("rw/mastership", "rw/mastership/{rest...}")
+_EIGHTH: Final = (
+    *(
+        Route(method, one, control_stations.no_mastership)
+        for one in _MASTERSHIP
+        for method in ("GET", "POST")
+    ),
+    Route("POST", f"{_STATION}/register/remote", control_stations.register),
+    Route("POST", f"{_ACCESS}/request", control_stations.request_access),
+    Route("POST", f"{_ACCESS}/release", control_stations.release_access),
+    Route("POST", f"{_ACCESS}/release/appeal", control_stations.appeal),
+    Route("GET", f"{_ACCESS}/release/appeal/changecount", control_stations.appeals),
+    Route("GET", f"{_ACCESS}/status", control_stations.access_status),
+    Route("GET", f"{_STATION}/type", control_stations.type_),
+    Route("GET", f"{_STATION}/id", control_stations.identity),
+    *(
+        Route("GET", f"{_STATION}/{path}", control_stations.constant(kind, title, name, value))
+        for path, kind, title, name, value in (
+            (
+                "local/isconnected",
+                "controlstation-local-connected",
+                "isconnected",
+                "control-station-local-isconnected",
+                "false",
+            ),
+            # So spelt by controllers.
+            (
+                "allowmotioncontrol",
+                "controstation-allow-motion-control",
+                "allowmotioncontrol",
+                "is-enabled",
+                "true",
+            ),
+            (
+                "tpu/safety/protocol/status",
+                "controlstation-tpu-safety-protocol-status",
+                "status",
+                "is-connected",
+                "false",
+            ),
+        )
+    ),
+)
+
+ROUTES: Final[Mapping[int, tuple[Route, ...]]] = {
+    6: (*_FIRST, *_BOTH),
+    7: (*_SECOND, *_BOTH),
+    8: (*_EIGHTH, *_SECOND, *_BOTH),
+}
+"""Routes by version of RobotWare; if several match an address, the first counts."""
 
 
 def answered(context: RequestContext, request: Request) -> Answer:
@@ -208,7 +259,8 @@ def answered(context: RequestContext, request: Request) -> Answer:
         RefusedRequest: If there is no such resource or action, or it is refused.
     """
     parts = [part for part in request.path.split("/") if part]
-    routes = ROUTES[request.generation]
+    version = 6 if request.generation == 1 else 7
+    routes = ROUTES[8 if version == 7 and context.has_control_stations else version]
     there = False
     for route in routes:
         places = route.matched(parts)
