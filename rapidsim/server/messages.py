@@ -51,6 +51,8 @@ class Answer:
     """Resources below this one."""
     content: bytes | None = None
     """Content of a file, instead of items."""
+    location: str = ""
+    """Address of what the request has begun, below the root; empty for none."""
     following: str = ""
     """Address of the continuation of the list, below the root; empty at its end."""
 

@@ -98,5 +98,7 @@ def represent(
         return web.Response(body=reply.content, content_type="application/octet-stream")
     if reply.status == 204:
         return web.Response(status=204)
+    if reply.location:
+        headers["Location"] = reply.location
     text = body(reply, location_of(request))
     return web.Response(status=reply.status, body=text.encode(), headers=headers)

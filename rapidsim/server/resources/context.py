@@ -45,6 +45,8 @@ class RequestContext:
     """Version of RobotWare that each generation of Robot Web Services reports."""
     masters: dict[str, int] = field(default_factory=dict)
     """Session that holds each domain."""
+    operations: list[str] = field(default_factory=list)
+    """Titles of the operations that were answered before they had ended, as on a controller."""
     stations: dict[int, ControlStation] = field(default_factory=dict)
     """Control station of each session that has registered."""
     writer: ControlStation | None = None

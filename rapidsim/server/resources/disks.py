@@ -10,7 +10,7 @@ from __future__ import annotations
 import os
 import shutil
 import tempfile
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from contextlib import contextmanager, suppress
 from datetime import datetime
 from pathlib import Path
@@ -30,6 +30,8 @@ from rapidsim.values import value_class
 
 DISKS: Final = ("HOME", "TEMP", "RAMDISK", "BACKUP")
 """Folders that clients reach by `$NAME`."""
+_UPLOAD: Final = ".upload-"
+"""Prefix of files that are not complete yet."""
 _STAMP = "%Y-%m-%d T %H:%M:%S"
 
 
@@ -59,8 +61,7 @@ class FileService:
                 )  # A folder for programs is made when the first writes into it.
             if not place.is_file():
                 raise _missing(address)
-            with os.fdopen(os.open(place, os.O_RDONLY | CAUTION), "rb") as stream:
-                return stream.read()
+            return self._content(place)
 
     def write(self, address: str, content: bytes) -> bool:
         """Write a file completely or not at all; return whether it is new.
@@ -77,7 +78,7 @@ class FileService:
             old = 0 if is_new else place.stat().st_size
             self._reserve(place, len(content) - old)
             place.parent.mkdir(parents=True, exist_ok=True)
-            handle, temporary = tempfile.mkstemp(dir=place.parent, prefix=".upload-")
+            handle, temporary = tempfile.mkstemp(dir=place.parent, prefix=_UPLOAD)
             try:
                 with os.fdopen(handle, "wb") as stream:
                     stream.write(content)
@@ -89,6 +90,49 @@ class FileService:
         except OSError as error:
             raise refused(BAD_PARAMETER, f"{address} cannot be written: {error.strerror}") from None
         return is_new
+
+    def is_below_a_disk(self, address: str) -> bool:
+        """Whether an address is inside a disk other than HOME."""
+        disk, _, rest = address.partition("/")
+        name = disk.lstrip("$").rstrip(":").upper()
+        return bool(rest.strip("/")) and name in DISKS and name != "HOME"
+
+    def home_files(self) -> Iterator[tuple[str, bytes]]:
+        """Yield path and content of each file of HOME, but for those of the other disks."""
+        disks = {self._folder(disk) for disk in DISKS} - {self.home}
+        pending = [self.home]
+        while pending:
+            for one in sorted(pending.pop().iterdir()):
+                if not _is_file_or_folder(one) or _leads_away(one.name) or one in disks:
+                    continue
+                if one.is_dir():
+                    pending.append(one)
+                else:
+                    yield one.relative_to(self.home).as_posix(), self._content(one)
+
+    def write_folder(self, address: str, files: Mapping[str, bytes]) -> None:
+        """Write a new folder with files, by their paths in it, completely or not at all.
+
+        Raises:
+            RefusedRequest: If there is such a folder, it cannot be written, or the disk is full.
+        """
+        with _missing_if_refused(address):
+            place = self._place(address)
+            if place.exists():
+                raise refused(BAD_PARAMETER, f"{address} is there already")
+            self._reserve(place, sum(map(len, files.values())))
+            place.parent.mkdir(parents=True, exist_ok=True)
+            temporary = Path(tempfile.mkdtemp(dir=place.parent, prefix=_UPLOAD))
+            try:
+                for name, content in files.items():
+                    self._reserve(temporary / name)
+                    (temporary / name).parent.mkdir(parents=True, exist_ok=True)
+                    (temporary / name).write_bytes(content)
+                temporary.chmod(0o755)
+                temporary.replace(place)
+            except BaseException:
+                shutil.rmtree(temporary, ignore_errors=True)
+                raise
 
     def remove(self, address: str) -> None:
         """Remove a file, or a folder with all its contents.
@@ -139,6 +183,11 @@ class FileService:
                     place.rename(other)
                 case _:
                     raise refused(BAD_PARAMETER, f"files have no action {action}")
+
+    @staticmethod
+    def _content(place: Path) -> bytes:
+        with os.fdopen(os.open(place, os.O_RDONLY | CAUTION), "rb") as stream:
+            return stream.read()
 
     def _reserve(self, place: Path, count: int = 0) -> None:
         """Use more bytes of the disk, for a file or folder that may be new.
@@ -216,7 +265,7 @@ def _missing_if_refused(address: str) -> Iterator[None]:
 
 
 def _leads_away(part: str) -> bool:
-    return part in (".", "..") or any(one in part for one in "\\:\0") or part.startswith(".upload-")
+    return part in (".", "..") or any(one in part for one in "\\:\0") or part.startswith(_UPLOAD)
 
 
 def _without_case(folder: Path, name: str) -> Path:

@@ -11,6 +11,7 @@ from typing import Final
 
 from rapidsim.server.messages import Answer, Request
 from rapidsim.server.resources import (
+    backups,
     configuration,
     control_stations,
     event_log,
@@ -47,6 +48,9 @@ _BOTH: Final = (
     Route("GET", "ctrl/clock", system.clock),
     Route("PUT", "ctrl/clock", system.set_clock),
     Route("GET", "ctrl/${name}", system.disk),
+    Route("GET", "ctrl/backup", backups.information),
+    Route("GET", "progress", backups.operations),
+    Route("GET", "progress/{number}", backups.operation),
     Route("GET", "rw/system", system.system),
     Route("GET", "rw/system/options", system.options),
     Route("GET", "rw/system/robottype", system.robot_type),
@@ -103,6 +107,8 @@ _BOTH: Final = (
 )
 
 _FIRST: Final = (
+    Route("GET", "ctrl/backup", backups.state, "backupstate"),
+    Route("POST", "ctrl/backup", backups.create, "backup"),
     Route("GET", "rw/panel/ctrlstate", panel.state),
     Route("POST", "rw/panel/ctrlstate", panel.set_state, "setctrlstate"),
     Route("POST", "rw/panel/opmode", panel.set_mode, "setopmode"),
@@ -150,6 +156,8 @@ _FIRST: Final = (
 )
 
 _SECOND: Final = (
+    Route("GET", "ctrl/backup/state", backups.state),
+    Route("POST", "ctrl/backup/create", backups.create),
     Route("GET", "rw/panel/ctrl-state", panel.state),
     Route("POST", "rw/panel/ctrl-state", panel.set_state),
     Route("POST", "rw/panel/opmode", panel.set_mode),
