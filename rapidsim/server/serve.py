@@ -67,7 +67,7 @@ async def _serve(
     is_ready: Callable[[Addresses], None],
     noted: Callable[[str], None],
 ) -> bool:
-    guard = Guard(settings.host)
+    guard = Guard(settings.host, settings.hosts, settings.origins)
     face = HttpFrontend(
         engine,
         guard,

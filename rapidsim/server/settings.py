@@ -53,6 +53,10 @@ class ServerSettings:
     """Addresses and users."""
 
     host: str = "127.0.0.1"
+    hosts: frozenset[str] = frozenset()
+    """Further names under which clients address it, in lower case."""
+    origins: frozenset[str] = frozenset()
+    """Origins of pages of others that may use it, in lower case."""
     rws1_port: int | None = 8080
     """Port of Robot Web Services 1.0; 0 for a free one, None to disable it."""
     rws2_port: int | None = None

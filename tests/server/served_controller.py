@@ -57,7 +57,9 @@ class Served:
             if response.status < 400:
                 return response.status, 0
             # No refusal names a place on this computer.
-            assert str(self.engine.live.options.home.parent) not in text
+            home = self.engine.live.options.home
+            assert home is not None
+            assert str(home.parent) not in text
             body = await response.json()
             return response.status, body["_embedded"]["status"]["code"]
 
@@ -112,7 +114,8 @@ async def _serve(
     settings = EngineSettings(request_s=STEP_S)
     link = DirectLink(lambda told: engine_of(made, settings, told))
     users = DigestAuthentication(DEFAULT_USERS)
-    face = HttpFrontend(link, Guard("127.0.0.1"), print, **limits)
+    guard = limits.pop("guard", Guard("127.0.0.1"))
+    face = HttpFrontend(link, guard, print, **limits)
     link.listener = face.notify
     # Both without TLS, whose package and key have tests of their own.
     dialects = (

@@ -120,7 +120,42 @@ def test_an_idle_session_ends() -> None:
     ],
 )
 def test_pages_from_elsewhere_do_not_come_in(headers: dict[str, str], lets_in: bool) -> None:
-    assert Guard("127.0.0.1").admits("GET", "/rw", headers) is lets_in
+    refused = Guard("127.0.0.1").objection("GET", "/rw", headers)
+    assert (refused is None) is lets_in
+    assert lets_in or "--allow-" in str(refused)
+
+
+def test_names_and_pages_come_in_that_are_allowed(tmp_path: Path) -> None:
+    page = "http://localhost:3000"
+    guard = Guard("127.0.0.1", frozenset({"robot"}), frozenset({page}))
+
+    async def use(served: Served) -> None:
+        url, host = f"{served.base}/rw/system", {"Host": "robot:8080"}
+        asked = {**host, "Origin": page, "Access-Control-Request-Method": "POST"}
+        async with aiohttp.ClientSession() as nobody:
+            async with nobody.options(url, headers=asked) as response:
+                assert response.status == 204
+                assert "POST" in response.headers["Access-Control-Allow-Methods"]
+            async with nobody.options(url, headers={**host, "Origin": "http://evil"}) as response:
+                assert response.status == 403
+            async with nobody.get(url, headers={**host, "Origin": page}) as response:
+                assert response.status == 401
+        async with served.client.get(url, headers={**host, "Origin": page}) as response:
+            assert response.status == 200
+            assert response.headers["Access-Control-Allow-Origin"] == page
+        async with served.client.get(url, headers=host) as response:
+            assert response.status == 200
+            assert "Access-Control-Allow-Origin" not in response.headers
+
+    serve(tmp_path, IDLE, use, guard=guard)
+
+
+def test_a_link_elsewhere_leads_to_the_operator_page_only() -> None:
+    headers = {"Host": "127.0.0.1:8080", "Sec-Fetch-Site": "cross-site"}
+    guard = Guard("127.0.0.1")
+    assert guard.objection("GET", "/ui", headers) is None
+    for method, path in (("POST", "/ui"), ("GET", "/ui/state"), ("GET", "/logout")):
+        assert guard.objection(method, path, headers)
 
 
 def test_loopback_addresses_are_known() -> None:

@@ -307,8 +307,8 @@ def test_recorded_answers(tmp_path: Path) -> None:
                 await _refusal(served, served.client, row, content, served.base)
             await other.post("rw/mastership?action=release")
         # Refusals of files are XHTML, whatever was asked for.
-        missing = Refused("GET", "fileservice/$HOME/no-such-file-xyz.mod?json=1", 404, -1073414146)
-        await _refusal(served, served.client, missing, XHTML, served.base)
+        none = Refused("GET", "fileservice/$HOME/no-such-file-xyz.mod?json=1", 404, -1073414146)
+        await _refusal(served, served.client, none, XHTML, served.base)
         await other.client.close()
 
     serve(tmp_path, None, use)

@@ -11,6 +11,7 @@ from math import inf
 from pathlib import Path
 from ssl import SSLContext
 from typing import TYPE_CHECKING
+from urllib.parse import urlsplit
 
 import click
 
@@ -23,7 +24,7 @@ from rapidsim.cli.terminal import current_terminal, echo, terminal_options
 from rapidsim.cli.viewer import require_screen
 from rapidsim.diagnostics import Diagnostic
 from rapidsim.extras import require
-from rapidsim.files import InputError
+from rapidsim.files import InputError, input_bytes
 from rapidsim.jobs.inputs.run_request import DEFAULT_ENTRY, RunRequest
 from rapidsim.values import value_class
 
@@ -55,6 +56,18 @@ class ServeOptions:
         default="127.0.0.1",
         show_default=True,
         help="The address to listen on.",
+    )
+    allow_hosts: tuple[str, ...] = option(
+        "--allow-host",
+        metavar="NAME",
+        multiple=True,
+        help="Another name under which clients address the server, as in a container's network.",
+    )
+    allow_origins: tuple[str, ...] = option(
+        "--allow-origin",
+        metavar="URL",
+        multiple=True,
+        help="A web page elsewhere that may use the server, as http://localhost:3000.",
     )
     robotware: str | None = option(
         "--robotware",
@@ -129,6 +142,11 @@ class ServeOptions:
         metavar="NAME:PASSWORD",
         multiple=True,
         help="A login that replaces a controller's default users.",
+    )
+    user_file: str | None = option(
+        "--user-file",
+        metavar="FILE",
+        help="Such logins, one a line; also in the environment variable RAPIDSIM_USERS.",
     )
     max_sessions: int = option(
         "--max-sessions",
@@ -248,11 +266,11 @@ def _require_consistent(options: ServeOptions, ports: tuple[int | None, int | No
         require("rerun", "--record")
     if options.request_time is not None and not options.lock_step:
         raise InputError("--request-time: it needs --lock-step")
-    if not options.users and not is_loopback(options.host):
+    if not _logins(options) and not is_loopback(options.host):
         raise InputError(
             f"--host {options.host}: other computers reach it, and default passwords are known to "
             "all",
-            "`--user NAME:PASSWORD` says who may come in",
+            "`--user NAME:PASSWORD` or `--user-file FILE` says who may come in",
         )
 
 
@@ -283,7 +301,9 @@ def _server_settings(options: ServeOptions, ports: tuple[int | None, int | None]
         rws1_port=ports[0],
         rws2_port=ports[1],
         tls=None if ports[1] is None else _tls(),
-        users=_users(options.users) if options.users else DEFAULT_USERS,
+        hosts=frozenset(name.lower() for name in options.allow_hosts),
+        origins=frozenset(map(_origin, options.allow_origins)),
+        users=_users(_logins(options)) or DEFAULT_USERS,
         latencies_s=LATENCIES[options.latency] if options.latency else NO_LATENCIES,
         most_sessions=options.max_sessions,
         # In lock-step nothing depends on the wall, sessions included.
@@ -344,6 +364,31 @@ def _speed(text: str) -> float | None:
     if not 0.0 < speed < float("inf"):
         raise InputError(f"--speed: `{text}` is neither a positive number nor max")
     return speed
+
+
+def _origin(url: str) -> str:
+    """Return an origin as browsers send it.
+
+    Raises:
+        InputError: If the text is no scheme and host.
+    """
+    parts = urlsplit(url)
+    if parts.scheme not in ("http", "https") or not parts.netloc or parts.path.strip("/"):
+        raise InputError(f"--allow-origin: `{url}` is no origin such as http://localhost:3000")
+    return f"{parts.scheme}://{parts.netloc}".lower()
+
+
+def _logins(options: ServeOptions) -> tuple[str, ...]:
+    """Return all logins: of the command line, which others can see, of a file, and of a variable.
+
+    Raises:
+        InputError: If the file cannot be read.
+    """
+    texts = [os.environ.get("RAPIDSIM_USERS", "")]
+    if options.user_file is not None:
+        texts.append(input_bytes(Path(options.user_file)).decode("utf-8", "replace"))
+    lines = (line.strip() for text in texts for line in text.splitlines())
+    return (*options.users, *(line for line in lines if line))
 
 
 def _users(texts: tuple[str, ...]) -> dict[str, str]:

@@ -83,7 +83,10 @@ class HttpFrontend:
         connection = self.connections.of(request.protocol)
         connection.begin_request()
         try:
-            return await self._admitted(request, handler, connection)
+            response = await self._admitted(request, handler, connection)
+            if not response.prepared:
+                response.headers.update(self._cross_origin_headers(request))
+            return response
         except EngineEndedError:
             return web.Response(status=500, text="the controller has ended\n")
         except ConnectionError:
@@ -104,8 +107,12 @@ class HttpFrontend:
     ) -> web.StreamResponse:
         """Admit requests that address this server and come from an authenticated user."""
         with decoding():
-            if not self.guard.admits(request.method, request.path, request.headers):
-                return web.Response(status=403, text="this server has another name\n")
+            refused = self.guard.objection(request.method, request.path, request.headers)
+            if refused is not None:
+                return web.Response(status=403, text=f"{refused}\n")
+            if request.method == "OPTIONS" and self.guard.allows(request.headers.get("Origin")):
+                # Browsers ask, without a login, whether a page may send what it wants to.
+                return web.Response(status=204)
             cookies = request.cookies
         session = self.sessions.find(cookies, request.scheme)
         is_fresh = session is None
@@ -130,6 +137,20 @@ class HttpFrontend:
                 # By hand: one of the names would not pass `set_cookie`.
                 response.headers.add("Set-Cookie", f"{name}={value}{attributes}")
         return response
+
+    def _cross_origin_headers(self, request: web.Request) -> Mapping[str, str]:
+        """Return the headers that let a page of an admitted origin read an answer (CORS)."""
+        origin = request.headers.get("Origin")
+        if origin is None or not self.guard.allows(origin):
+            return {}
+        return {
+            "Access-Control-Allow-Origin": origin,
+            "Access-Control-Allow-Credentials": "true",
+            "Access-Control-Allow-Methods": "GET, POST, PUT, DELETE",
+            "Access-Control-Allow-Headers": "Accept, Authorization, Content-Type",
+            "Access-Control-Expose-Headers": "Location",
+            "Vary": "Origin",
+        }
 
     async def _authenticate(self, request: web.Request, address: str) -> str | None:
         """Return the user of a request without a session; None if not admitted."""

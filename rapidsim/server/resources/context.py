@@ -51,8 +51,8 @@ class RequestContext:
     """Control station of each session that has registered."""
     writer: ControlStation | None = None
     """Control station that may write, in RobotWare 8."""
-    is_access_held: bool = False
-    """Whether it has not written since it requested write access."""
+    is_access_exclusive: bool = False
+    """Whether others cannot take the write access: until the station has written."""
     appeals: int = 0
     """Number of requests to release the write access."""
     queues: dict[str, MessageQueue] = field(default_factory=dict)
@@ -99,7 +99,7 @@ class RequestContext:
             station = self.stations.get(request.session)
             if station is None or station != self.writer:
                 raise refused(NO_WRITE_ACCESS, "The control station does not have SPoC.")
-            self.is_access_held = False
+            self.is_access_exclusive = False
             return
         holder = self.masters.get(domain)
         if holder == request.session:
@@ -116,7 +116,7 @@ class RequestContext:
             RefusedRequest: If another session holds it.
         """
         if self.has_control_stations and request.generation == 2:
-            if self.is_access_held and self.stations.get(request.session) != self.writer:
+            if self.is_access_exclusive and self.stations.get(request.session) != self.writer:
                 raise refused(NO_WRITE_ACCESS, "The control station does not have SPoC.")
         elif (
             request.generation == 2

@@ -52,11 +52,11 @@ def request_access(context: RequestContext, request: Request) -> Answer:
         RefusedRequest: If the session is not registered, or another station holds the access.
     """
     station = _station(context, request)
-    if context.is_access_held and context.writer != station:
+    if context.is_access_exclusive and context.writer != station:
         raise refused(
             WRITE_ACCESS_TAKEN, "Remote Control Station cannot take SPoC when it is taken."
         )
-    context.writer, context.is_access_held = station, True
+    context.writer, context.is_access_exclusive = station, True
     return DONE
 
 
@@ -66,9 +66,9 @@ def release_access(context: RequestContext, request: Request) -> Answer:
     Raises:
         RefusedRequest: If the session is not registered, or its station does not hold the access.
     """
-    if context.writer != _station(context, request) or not context.is_access_held:
+    if context.writer != _station(context, request) or not context.is_access_exclusive:
         raise refused(NO_WRITE_ACCESS, "The control station does not have SPoC.")
-    context.writer, context.is_access_held = None, False
+    context.writer, context.is_access_exclusive = None, False
     return DONE
 
 
@@ -82,9 +82,9 @@ def appeal(context: RequestContext, request: Request) -> Answer:
 def access_status(context: RequestContext, request: Request) -> Answer:
     """The station that holds the write access."""
     del request
-    holder = context.writer if context.is_access_held else None
+    holder = context.writer if context.is_access_exclusive else None
     fields = {
-        "control-station-write-access-held": str(context.is_access_held).lower(),
+        "control-station-write-access-held": str(context.is_access_exclusive).lower(),
         # So spelt by controllers.
         "held-by-control-station-Id": "none" if holder is None else holder.identity,
         "held-by-control-station-name": "none" if holder is None else holder.name,

@@ -1,4 +1,4 @@
-"""What the codes of refusals mean."""
+"""Meanings of the codes of refusals."""
 
 from __future__ import annotations
 
