@@ -32,6 +32,7 @@ class MessageKind:
     """Type of the messages for which a task waits: data type, aliases resolved, and dimensions."""
 
     data_type: str
+    """Empty for free text between clients."""
     dimensions: tuple[int, ...] = ()
 
     @property
@@ -63,7 +64,7 @@ class Message:
     @property
     def wire(self) -> str:
         """Text that a client outside the controller receives."""
-        return f"{self.kind.data_type};{self.text}"
+        return f"{self.kind.data_type};{self.text}" if self.kind.data_type else self.text
 
 
 class Messages(Protocol):

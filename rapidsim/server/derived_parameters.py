@@ -8,7 +8,7 @@ types that public clients read; names and units are those of a controller's file
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from typing import TypeAlias
+from typing import Final, TypeAlias
 
 from rapidsim.controller.cell.description import SignalDeclaration, Status
 from rapidsim.language.equipment import Attributes, Configured
@@ -17,6 +17,9 @@ from rapidsim.simulation.options import RunOptions
 from rapidsim.simulation.task_run import TaskSetup
 from rapidsim.station.task_kind import TaskKind
 
+_EGM: Final = "egmident"
+"""Data type that every program guided by a sensor uses."""
+_EGM_OPTION: Final = "689-1 Externally Guided Motion"
 _Instances: TypeAlias = list[Mapping[str, str]]
 _Types: TypeAlias = dict[str, _Instances]
 
@@ -33,6 +36,12 @@ def with_derived(setups: Sequence[TaskSetup], options: RunOptions) -> Configured
         domain: {**derived.get(domain, {}), **options.configured.get(domain, {})}
         for domain in domains
     }
+
+
+def is_guided(setups: Iterable[TaskSetup]) -> bool:
+    """Whether a program is written for sensors that guide its robot."""
+    modules = (module for setup in setups for module in setup.program.modules)
+    return any(_EGM in module.source.text.lower() for module in modules)
 
 
 def robots(setups: Sequence[TaskSetup]) -> Iterator[tuple[str, TaskSetup]]:
@@ -131,6 +140,8 @@ def _system(setups: Sequence[TaskSetup]) -> _Types:
             groups.append(Attributes({"Name": group, "Robot": moving[one.name], **units}))
         tasks.append(Attributes(task))
     options = [Attributes({"name": "616-1 PC Interface", "desc": "616-1 PC Interface"})]
+    if is_guided(setups):
+        options.append(Attributes({"name": _EGM_OPTION, "desc": _EGM_OPTION}))
     if len(moving) > 1:
         options.append(Attributes({"name": "604-1 MultiMove Coordinated", "desc": "MultiMove"}))
     return {"CAB_TASKS": tasks, "MECHANICAL_UNIT_GROUP": groups, "PRESENT_OPTIONS": [*options]}

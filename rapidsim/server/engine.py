@@ -7,8 +7,8 @@ may wait; tests drive it by hand.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
-from dataclasses import dataclass, field
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field, replace
 from time import monotonic
 from typing import Final, Protocol
 
@@ -45,6 +45,7 @@ from rapidsim.server.resources.operator_view import looked
 from rapidsim.server.resources.table import answered
 from rapidsim.server.sensors import RecordingSensors
 from rapidsim.server.subscriptions import Subscriptions
+from rapidsim.server.versions import ServedVersion, served_versions
 from rapidsim.server.wire import RecordingWire
 from rapidsim.simulation.live.controller import LiveController
 from rapidsim.simulation.live.event_log import LogEntry
@@ -210,6 +211,8 @@ class Engine:
     """Receives changes that clients have subscribed to, and lines for the console."""
     journal: Callable[[str], None] | None = None
     """Receives each line of the journal; None if none is kept."""
+    versions: Mapping[int, ServedVersion] = field(default_factory=lambda: served_versions(None))
+    """Version of RobotWare that each generation of Robot Web Services reports."""
     recorder: RunObserver | None = field(init=False, default=None)
     """Observer that shows the run; None if nothing is recorded."""
     context: RequestContext = field(init=False)
@@ -220,11 +223,13 @@ class Engine:
 
     def __post_init__(self) -> None:
         """Switch the controller on."""
-        self.context = RequestContext(self.live)
-        self.subscriptions = Subscriptions(self.context, self.notify)
+        self.context = RequestContext(self.live, self.versions)
+        is_paced = not isinstance(self.pace, LockStep)
+        self.subscriptions = Subscriptions(self.context, self.notify, is_paced)
         self.live.on_log_entry = self._logged
         self.live.on_finding = self._print_finding
-        self._note(lambda: switched_on_line(self.live.motors, self.live.mode))
+        major = self.versions[2].robotware.major
+        self._note(lambda: switched_on_line(self.live.motors, self.live.mode, major))
         if self.journal is not None:
             self._listen()
             if isinstance(self.live.wire, RecordingWire):
@@ -247,8 +252,9 @@ class Engine:
 
     def step(self) -> bool:
         """Dispatch one event that is due; return whether there was one."""
-        stepped = self.live.step(self.pace.horizon_s())
-        self._publish_changes()
+        horizon_s = min(self.pace.horizon_s(), self.subscriptions.next_due_s)
+        stepped = self.live.step(horizon_s)
+        self._publish_changes(has_changed=stepped)
         if stepped:
             self._report_lag()
         return stepped
@@ -260,7 +266,7 @@ class Engine:
 
     def wait_s(self) -> float | None:
         """Return the wall-clock time [s] until the next event; None for indefinitely."""
-        return self.pace.wait_s(self.live.next_due_s)
+        return self.pace.wait_s(min(self.live.next_due_s, self.subscriptions.next_due_s))
 
     def reply(self, message: Inquiry) -> Reply:
         """Answer a message at the current virtual time."""
@@ -292,14 +298,15 @@ class Engine:
             return self._done(message)
         except RefusedRequest as refused:
             is_later = isinstance(message, Request) and message.generation == 2
-            return refused.later if is_later else refused.refusal
+            refusal = refused.later if is_later else refused.refusal
+            return replace(refusal, message=self.context.without_paths(refusal.message))
         except Exception as error:
             # A defect of rapidsim ends a request, not the controller.
             defect = f"rapidsim has a defect: {type(error).__name__}: {error}"
             self.notify(
                 ConsoleLine(f"error: {defect}; please report it with the request, {message!r}")
             )
-            return ErrorAnswer(500, -1, defect)
+            return ErrorAnswer(500, -1, self.context.without_paths(defect))
 
     def _done(self, message: Inquiry) -> Reply:
         match message:
@@ -309,8 +316,8 @@ class Engine:
                 return answered(self.context, message)
             case SessionEnded(session):
                 self.context.release_all(session)
-            case Subscribe(resources, group):
-                self.subscriptions.begin(group, resources)
+            case Subscribe():
+                self.subscriptions.begin(message)
             case Unsubscribe(group):
                 self.subscriptions.end(group)
             case FromNetwork(number, port, peer, data, is_over):
@@ -350,9 +357,9 @@ class Engine:
         else:
             self._deferred_lines.append(line())
 
-    def _publish_changes(self) -> None:
+    def _publish_changes(self, *, has_changed: bool = True) -> None:
         """Notify subscriptions and the recorder of changes."""
-        self.subscriptions.publish_changes()
+        self.subscriptions.publish_changes(has_changed=has_changed)
         if self.recorder is not None:
             self.recorder.update()
 

@@ -16,7 +16,7 @@ from typing import Annotated, ClassVar, Final
 
 from rapidsim.controller.journal.events import Event
 from rapidsim.files import InputError
-from rapidsim.json_records.declarations import Key
+from rapidsim.json_records.declarations import Key, ValueForm
 from rapidsim.json_records.encoding import RecordEncoder, json_of, written
 from rapidsim.json_records.reading import RecordReader
 from rapidsim.language.errors import RapidError
@@ -52,6 +52,8 @@ class PowerOnState:
     kind: ClassVar[str] = "on"
     motors: Motors
     mode: Annotated[OperatingMode, Key("opmode")]
+    robotware: Annotated[int, ValueForm.OPTIONAL] = 7
+    """Version that Robot Web Services 2.0 reports: 7 or 8."""
 
 
 @value_class(frozen=True, slots=True)
@@ -90,9 +92,9 @@ class RecordedSession:
     """Lines of the file, unchanged."""
 
 
-def switched_on_line(motors: Motors, mode: OperatingMode) -> str:
+def switched_on_line(motors: Motors, mode: OperatingMode, robotware: int) -> str:
     """Return the first line."""
-    return _line(0.0, "event", _encode(PowerOnState(motors, mode)))
+    return _line(0.0, "event", _encode(PowerOnState(motors, mode, robotware)))
 
 
 def switched_off_line(time_s: float) -> str:

@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
-from typing import Final
 
 from rapidsim.analysis.names.signal_violations import UnknownSignal
 from rapidsim.controller.cell.description import SignalDeclaration, SignalKind
@@ -15,19 +14,18 @@ from rapidsim.diagnostics import Diagnostic
 from rapidsim.jobs.inputs.job import job
 from rapidsim.jobs.inputs.run_request import RunRequest
 from rapidsim.jobs.running.run_files import LoadedJob, PreparedRun, loaded, prepared
-from rapidsim.server.derived_parameters import with_derived
+from rapidsim.language.robotware import RobotWare
+from rapidsim.server.derived_parameters import is_guided, with_derived
 from rapidsim.server.engine import Engine, FullPace, LockStep, Pace, WallPace
 from rapidsim.server.messages import Notification
 from rapidsim.server.sensors import RecordingSensors
 from rapidsim.server.settings import EngineSettings
+from rapidsim.server.versions import served_versions
 from rapidsim.server.wire import RecordingWire
 from rapidsim.simulation.live.controller import LiveController
 from rapidsim.simulation.options import RunOptions
 from rapidsim.simulation.task_run import TaskSetup
 from rapidsim.values import value_class
-
-_GUIDED: Final = "egmident"
-"""Data type that every program guided by a sensor uses."""
 
 
 @value_class(frozen=True, slots=True, eq=False)
@@ -40,12 +38,13 @@ class ReadyController:
     ramdisk: Path
     notes: tuple[str, ...] = ()
     """Remarks on a backup or a robot."""
+    robotware: RobotWare | None = None
+    """Version of the station or backup; None if it names none."""
 
     @property
     def is_guided(self) -> bool:
         """Whether a program is written for sensors that guide its robot."""
-        modules = (module for setup in self.setups for module in setup.program.modules)
-        return any(_GUIDED in module.source.text.lower() for module in modules)
+        return is_guided(self.setups)
 
 
 def ready(request: RunRequest) -> ReadyController:
@@ -82,11 +81,12 @@ def with_cell(loaded_job: LoadedJob, made: PreparedRun) -> ReadyController:
         home.resolve(),
         ramdisk.resolve(),
         (*loaded_job.job.station.remarks, *notices),
+        loaded_job.job.station.robotware,
     )
 
 
 def engine_of(
-    made: ReadyController,
+    controller: ReadyController,
     settings: EngineSettings,
     on_notification: Callable[[Notification], None],
     journal: Callable[[str], None] | None = None,
@@ -96,7 +96,7 @@ def engine_of(
     """Switch a controller on and return its engine.
 
     Args:
-        made: Its programs and cell.
+        controller: Its programs and cell.
         settings: Its initial state and pace.
         on_notification: Receives the notifications of the engine.
         journal: Receives each line of the journal.
@@ -107,14 +107,15 @@ def engine_of(
         InputError: If an arm cannot be timed, or no task moves one.
     """
     live = LiveController(
-        made.setups,
-        made.options,
+        controller.setups,
+        controller.options,
         motors=settings.motors,
         mode=settings.mode,
         wire=RecordingWire(wire or NullWire()),
         sensors=RecordingSensors(sensors or NoSensors()),
     )
-    return Engine(live, _pace(settings), on_notification, journal)
+    versions = served_versions(controller.robotware, settings.robotware)
+    return Engine(live, _pace(settings), on_notification, journal, versions)
 
 
 def _pace(settings: EngineSettings) -> Pace:

@@ -41,11 +41,18 @@ class Answer:
     """A successful answer: the requested items or file, or a confirmation."""
 
     items: tuple[Item, ...] = ()
+    resources: tuple[Item, ...] | None = None
+    """Items that are resources of their own, which RobotWare 7 lists apart; None for no list."""
+    base: str | None = None
+    """Address that hrefs are relative to, below the root; None for the service that has a list,
+    and otherwise for the requested address."""
     status: int = 200
     links: tuple[str, ...] = ()
     """Resources below this one."""
     content: bytes | None = None
     """Content of a file, instead of items."""
+    location: str = ""
+    """Address of what the request has begun, below the root; empty for none."""
     following: str = ""
     """Address of the continuation of the list, below the root; empty at its end."""
 
@@ -108,6 +115,9 @@ class Subscribe:
 
     resources: Annotated[tuple[str, ...], Key("subscribe")]
     group: int
+    session: Annotated[int, ValueForm.OPTIONAL] = 0
+    priorities: Annotated[tuple[int, ...], ValueForm.OPTIONAL] = ()
+    """Priority of each resource: 0 low, 1 medium, 2 high, which is also that of a missing one."""
 
 
 @value_class(frozen=True, slots=True)

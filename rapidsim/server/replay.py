@@ -14,6 +14,7 @@ from rapidsim.server.engine import Engine, LockStep
 from rapidsim.server.journal import RecordedSession, read_journal
 from rapidsim.server.loading import ReadyController
 from rapidsim.server.sensors import RecordingSensors, ReplayedSensors
+from rapidsim.server.versions import served_versions
 from rapidsim.server.wire import RecordingWire, ReplayedWire
 from rapidsim.simulation.live.controller import LiveController
 from rapidsim.simulation.progress import RunInProgress
@@ -71,7 +72,8 @@ def replayed(
         watch(RunInProgress(live.cell, lambda: [task.run for task in live.tasks.values()]))
     lines: list[str] = []
     # Time advances only on the commands below.
-    engine = Engine(live, LockStep(0.0), lambda told: None, lines.append)
+    versions = served_versions(ready.robotware, began.robotware)
+    engine = Engine(live, LockStep(0.0), lambda told: None, lines.append, versions)
     limit_s = ready.options.max_time_s
     with recursion_limit(RUNNING_DEPTH):
         for one in session.recorded:

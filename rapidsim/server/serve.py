@@ -5,18 +5,17 @@ from __future__ import annotations
 import asyncio
 import signal
 import ssl
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from contextlib import suppress
 from dataclasses import dataclass
 
-from aiohttp import web
-
 from rapidsim.files import InputError
-from rapidsim.server.http.app import HttpFrontend, runner_of
+from rapidsim.server.http.app import HttpFrontend
 from rapidsim.server.http.basic import BasicAuthentication
 from rapidsim.server.http.dialect import Dialect
 from rapidsim.server.http.digest import DigestAuthentication
 from rapidsim.server.http.guard import Guard
+from rapidsim.server.http.open_port import OpenPort, listen
 from rapidsim.server.http.rws1 import Rws1Dialect
 from rapidsim.server.http.rws2 import Rws2Dialect
 from rapidsim.server.memory import give_large_blocks_back
@@ -68,8 +67,15 @@ async def _serve(
     is_ready: Callable[[Addresses], None],
     noted: Callable[[str], None],
 ) -> bool:
-    guard = Guard(settings.host)
-    face = HttpFrontend(engine, guard, noted, settings.most_sessions, settings.session_timeout_s)
+    guard = Guard(settings.host, settings.hosts, settings.origins)
+    face = HttpFrontend(
+        engine,
+        guard,
+        noted,
+        settings.most_sessions,
+        settings.session_timeout_s,
+        settings.latencies_s,
+    )
 
     def told(notification: Notification) -> None:
         if isinstance(notification, ConsoleLine):
@@ -81,20 +87,21 @@ async def _serve(
     engine.attach()
     over = asyncio.Event()
     loop = asyncio.get_running_loop()
+    loop.set_exception_handler(lambda _, context: noted(_defect_line(context)))
     for number in (signal.SIGINT, signal.SIGTERM):
         # Windows has none in a loop; Ctrl-C raises KeyboardInterrupt there.
         with suppress(NotImplementedError):
             loop.add_signal_handler(number, over.set)
     first = Rws1Dialect(DigestAuthentication(settings.users))
     second = Rws2Dialect(BasicAuthentication(settings.users))
-    runners: list[web.AppRunner] = []
+    listeners: list[OpenPort] = []
     try:
         rws1 = rws2 = None
         if settings.rws1_port is not None:
-            rws1 = await _listen(runners, face, first, settings.host, settings.rws1_port)
+            rws1 = await _listen(listeners, face, first, settings.host, settings.rws1_port)
         if settings.rws2_port is not None:
             port, tls = settings.rws2_port, settings.tls
-            rws2 = await _listen(runners, face, second, settings.host, port, tls)
+            rws2 = await _listen(listeners, face, second, settings.host, port, tls)
         is_ready(Addresses(rws1, rws2))
         waits = [asyncio.create_task(one.wait()) for one in (over, engine.ended)]
         await asyncio.wait(waits, return_when=asyncio.FIRST_COMPLETED)
@@ -102,11 +109,16 @@ async def _serve(
             one.cancel()
         return over.is_set()
     finally:
-        await asyncio.gather(*(runner.cleanup() for runner in runners))
+        await asyncio.gather(*(listener.close() for listener in listeners))
+
+
+def _defect_line(context: Mapping[str, object]) -> str:
+    """Return one line about an error outside of any request, where asyncio prints a traceback."""
+    return f"error: {context.get('message')}: {context.get('exception')!r}"
 
 
 async def _listen(
-    runners: list[web.AppRunner],
+    listeners: list[OpenPort],
     face: HttpFrontend,
     dialect: Dialect,
     host: str,
@@ -118,17 +130,11 @@ async def _listen(
     Raises:
         InputError: If the port is taken.
     """
-    app = face.app(dialect)
-    runner = runner_of(app)
-    runners.append(runner)
-    await runner.setup()
     try:
-        await web.TCPSite(runner, host, port, ssl_context=tls).start()
+        listeners.append(await listen(face.app(dialect), face.connections, host, port, tls))
     except OSError as error:
         raise InputError(
             f"{host}:{port} cannot be listened at: {error.strerror or error}",
             f"`--rws{dialect.generation}-port 0` takes a free port",
         ) from None
-    scheme = "http" if tls is None else "https"
-    shown = f"[{host}]" if ":" in host else host
-    return f"{scheme}://{shown}:{runner.addresses[0][1]}"
+    return listeners[-1].address

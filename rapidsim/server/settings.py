@@ -17,6 +17,11 @@ DEFAULT_USERS: Final[Mapping[str, str]] = MappingProxyType(
     dict.fromkeys(("Default User", "Admin", "admin"), "robotics")
 )
 """Default users on this computer, as on a controller."""
+NO_LATENCIES: Final[Mapping[str, float]] = MappingProxyType({})
+LATENCIES: Final[Mapping[str, Mapping[str, float]]] = MappingProxyType(
+    {"irc5": MappingProxyType({"start": 10.0, "loadmod": 13.0})}
+)
+"""Wall-clock times [s] until a real controller has answered an operation, by controller."""
 
 
 @value_class(frozen=True, slots=True, kw_only=True)
@@ -29,6 +34,8 @@ class EngineSettings:
     """The virtual time [s] that passes before each request in lock-step; None for no lock-step."""
     motors: Motors = Motors.ON
     mode: OperatingMode = OperatingMode.AUTO
+    robotware: int | None = None
+    """Version to report: 6, 7 or 8; None for that of the station."""
     hosts: frozenset[str] = frozenset()
     """Other hosts that programs' sockets may bind or connect to."""
     sensors: tuple[tuple[str, Address], ...] = ()
@@ -46,6 +53,10 @@ class ServerSettings:
     """Addresses and users."""
 
     host: str = "127.0.0.1"
+    hosts: frozenset[str] = frozenset()
+    """Further names under which clients address it, in lower case."""
+    origins: frozenset[str] = frozenset()
+    """Origins of pages of others that may use it, in lower case."""
     rws1_port: int | None = 8080
     """Port of Robot Web Services 1.0; 0 for a free one, None to disable it."""
     rws2_port: int | None = None
@@ -53,5 +64,7 @@ class ServerSettings:
     tls: SSLContext | None = None
     """Key and certificate of Robot Web Services 2.0."""
     users: Mapping[str, str] = field(default_factory=lambda: DEFAULT_USERS)
+    latencies_s: Mapping[str, float] = field(default_factory=lambda: NO_LATENCIES)
+    """Wall-clock time [s] until an operation is answered, by its name; see `LATENCIES`."""
     most_sessions: int = 70
     session_timeout_s: float = 300.0

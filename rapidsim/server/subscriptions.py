@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field, replace
+from itertools import zip_longest
 from typing import Final
 
-from rapidsim.server.messages import ChangeEvent, Item, RefusedRequest
+from rapidsim.server.messages import ChangeEvent, Item, RefusedRequest, Subscribe
 from rapidsim.server.resources import panel, programs, signals, symbols
 from rapidsim.server.resources.codes import NOT_FOUND, refused
 from rapidsim.server.resources.context import RequestContext
@@ -25,6 +27,11 @@ _QUEUES: Final = "/rw/dipc/"
 Look = Callable[[], tuple[Item, ...]]
 
 
+PERIODS_S: Final = (5.25, 0.4, 0.05)
+"""Least time [s] between two events of data by priority, from low to high, as measured on an IRC5
+with data that always change; events of states and signals have no such time."""
+
+
 @dataclass(slots=True)
 class _Watched:
     """A resource that a group has subscribed to."""
@@ -33,6 +40,11 @@ class _Watched:
     read: Look
     """Returns the current items of the resource."""
     last: tuple[Item, ...]
+    period_s: float
+    due_s: float
+    """Earliest time [s] of the next event."""
+    is_stale: bool = False
+    """Whether something has happened since it was read."""
 
 
 @dataclass(slots=True)
@@ -50,6 +62,8 @@ class Subscriptions:
 
     context: RequestContext
     on_event: Callable[[ChangeEvent], None]
+    is_paced: bool = True
+    """Whether time passes without requests, so that an event may wait for the end of its period."""
     _groups: dict[int, _Group] = field(default_factory=dict)
     _signals: dict[str, list[tuple[int, str]]] = field(default_factory=dict)
     """By folded name of a signal: the groups that subscribe to it, and the address each used."""
@@ -63,14 +77,15 @@ class Subscriptions:
         """The number of groups."""
         return len(self._groups)
 
-    def begin(self, group: int, resources: tuple[str, ...]) -> None:
-        """Subscribe to resources; events with their current values follow first.
+    def begin(self, subscribe: Subscribe) -> None:
+        """Subscribe a session to resources; events with their current values follow first.
 
         Raises:
             RefusedRequest: If there is no such resource; then nothing is subscribed to.
         """
-        made, heard = _Group(), []
-        for resource in resources:
+        made, heard, now_s = _Group(), [], self.context.live.now_s
+        group, session = subscribe.group, subscribe.session
+        for resource, priority in zip_longest(subscribe.resources, subscribe.priorities):
             if resource.startswith(_SIGNALS):
                 name = resource.removeprefix(_SIGNALS).removesuffix(";state").split("/")[-1]
                 self._signal_item(name, resource)
@@ -79,12 +94,14 @@ class Subscriptions:
                 made.domains.append(resource.removeprefix(_LOG).strip("/"))
             elif resource.startswith(_QUEUES):
                 name = resource.removeprefix(_QUEUES).strip("/")
-                if name not in self.context.queues:
-                    raise refused(NOT_FOUND, f"there is no queue {name}")
+                if self.context.queue_of(name, session) is None:
+                    raise refused(NOT_FOUND, f"the client has no queue {name}")
                 made.queues.append(name)
             else:
                 look = self._reader_of(resource)
-                made.values.append(_Watched(resource, look, look()))
+                is_data = resource.startswith((_SYMBOLS, _SYMBOLS_2)) and self.is_paced
+                period_s = PERIODS_S[2 if priority is None else priority] if is_data else 0.0
+                made.values.append(_Watched(resource, look, look(), period_s, now_s))
         self._groups[group] = made
         for name, resource in heard:
             self._signals.setdefault(name, []).append((group, resource))
@@ -102,14 +119,28 @@ class Subscriptions:
             else:
                 del self._signals[name]
 
-    def publish_changes(self) -> None:
-        """Send events for all changes since the last call."""
+    @property
+    def next_due_s(self) -> float:
+        """Virtual time [s] of the next event for a change that waits; infinite if none does."""
+        values = (watched for one in self._groups.values() for watched in one.values)
+        return min((watched.due_s for watched in values if watched.is_stale), default=math.inf)
+
+    def publish_changes(self, *, has_changed: bool) -> None:
+        """Send events for all changes that are due.
+
+        Args:
+            has_changed: Whether something has happened since the last call.
+        """
+        now_s = self.context.live.now_s
         for group, one in self._groups.items():
             for watched in one.values:
-                now = watched.read()
-                if now != watched.last:
-                    watched.last = now
-                    self.on_event(ChangeEvent(group, watched.resource, now))
+                watched.is_stale = watched.is_stale or has_changed
+                if watched.is_stale and now_s >= watched.due_s:
+                    watched.is_stale = False
+                    now = watched.read()
+                    if now != watched.last:
+                        watched.last, watched.due_s = now, now_s + watched.period_s
+                        self.on_event(ChangeEvent(group, watched.resource, now))
             for name in one.queues:
                 self._take(group, name)
 

@@ -24,18 +24,24 @@ def test_it_says_where_it_listens_and_ends_when_told(
     (tmp_path / "job.mod").write_text(PROGRAM)
     (tmp_path / "ram").mkdir()
     journal = tmp_path / "a.jsonl"
-    served = controller(
-        tmp_path / "job.mod", "--journal", journal, "--ramdisk", tmp_path / "ram", "--lock-step"
-    )
+    (tmp_path / "users.txt").write_text("Somebody:secret\n\n")
+    options = ("--journal", journal, "--ramdisk", tmp_path / "ram", "--lock-step", "--robotware", 6)
+    served = controller(tmp_path / "job.mod", *options, "--user-file", tmp_path / "users.txt")
     assert served.ramdisk == tmp_path / "ram"
     assert served.home.parent == tmp_path
     with pytest.raises(urllib.error.HTTPError) as refused:
         urllib.request.urlopen(f"{served.rws1}/rw/system", timeout=60)
     assert refused.value.code == 401
     refused.value.close()
+    passwords = urllib.request.HTTPPasswordMgrWithDefaultRealm()
+    passwords.add_password(None, served.rws1, "Somebody", "secret")
+    digest = urllib.request.HTTPDigestAuthHandler(passwords)
+    with urllib.request.build_opener(digest).open(f"{served.rws1}/rw/system", timeout=60) as page:
+        assert b"6.16.2027" in page.read()
     assert (served.end(), served.errors) == (0, "")
     lines = journal.read_text().splitlines()
-    assert [json.loads(line)["what"]["kind"] for line in lines] == ["on", "off"]
+    kinds = [json.loads(line)["what"].get("kind", "request") for line in lines]
+    assert kinds == ["on", "request", "off"]
 
 
 def test_a_program_with_errors_is_not_served(tmp_path: Path) -> None:
@@ -66,6 +72,9 @@ def test_a_port_that_is_taken_is_told(tmp_path: Path) -> None:
         (("job.mod", "--user", "nobody"), "takes NAME:PASSWORD"),
         (("job.mod", "--rws1-port", "off"), "nobody could reach"),
         (("job.mod", "--rws1-port", "70000"), "neither a number from 0 to 65535 nor off"),
+        (("job.mod", "--robotware", "8", "--rws1-port", "0"), "RobotWare 8 does not speak it"),
+        (("job.mod", "--allow-origin", "localhost:3000"), "is no origin"),
+        (("job.mod", "--user-file", "none.txt"), "none.txt"),
         (("-",), "no program from standard input"),
         (("none.mod",), "none.mod"),
     ],

@@ -9,14 +9,14 @@ from pathlib import Path
 from typing import Any, TypeVar
 
 import aiohttp
-from aiohttp import web
 
 from rapidsim.jobs.inputs.run_request import RunRequest
 from rapidsim.server.engine import Engine
-from rapidsim.server.http.app import HttpFrontend, runner_of
+from rapidsim.server.http.app import HttpFrontend
 from rapidsim.server.http.basic import BasicAuthentication
 from rapidsim.server.http.digest import DigestAuthentication
 from rapidsim.server.http.guard import Guard
+from rapidsim.server.http.open_port import listen
 from rapidsim.server.http.rws1 import Rws1Dialect
 from rapidsim.server.http.rws2 import Rws2Dialect
 from rapidsim.server.link import DirectLink
@@ -56,8 +56,11 @@ class Served:
             text = await response.text()
             if response.status < 400:
                 return response.status, 0
+            # No refusal names a place on this computer.
+            home = self.engine.live.options.home
+            assert home is not None
+            assert str(home.parent) not in text
             body = await response.json()
-            assert text
             return response.status, body["_embedded"]["status"]["code"]
 
     async def status(self, path: str) -> tuple[int, int]:
@@ -107,28 +110,26 @@ async def _serve(
     file: Path, home: Path, use: Callable[[Served], Awaitable[T]], limits: dict[str, Any]
 ) -> T:
     home.mkdir(exist_ok=True)
-    made = ready(RunRequest(paths=(str(file),), home=str(home)))
+    made = ready(RunRequest(paths=(str(file),), home=str(home), may_be_empty=True))
     settings = EngineSettings(request_s=STEP_S)
     link = DirectLink(lambda told: engine_of(made, settings, told))
     users = DigestAuthentication(DEFAULT_USERS)
-    face = HttpFrontend(link, Guard("127.0.0.1"), print, **limits)
+    guard = limits.pop("guard", Guard("127.0.0.1"))
+    face = HttpFrontend(link, guard, print, **limits)
     link.listener = face.notify
     # Both without TLS, whose package and key have tests of their own.
     dialects = (
         Rws1Dialect(users),
         Rws2Dialect(BasicAuthentication(DEFAULT_USERS)),
     )
-    runners = [runner_of(face.app(one)) for one in dialects]
+    listeners = [await listen(face.app(one), face.connections, "127.0.0.1", 0) for one in dialects]
     try:
-        for runner in runners:
-            await runner.setup()
-            await web.TCPSite(runner, "127.0.0.1", 0).start()
-        first, second = (f"http://127.0.0.1:{one.addresses[0][1]}" for one in runners)
+        first, second = (one.address for one in listeners)
         async with _client() as client:
             return await use(Served(first, client, link.engine, face, second))
     finally:
-        for runner in runners:
-            await runner.cleanup()
+        for listener in listeners:
+            await listener.close()
 
 
 def _client() -> aiohttp.ClientSession:

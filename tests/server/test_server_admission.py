@@ -92,16 +92,16 @@ def test_nothing_is_kept_of_clients_that_have_gone(tmp_path: Path) -> None:
 def test_an_idle_session_ends() -> None:
     now, ended = [0.0], list[int]()
     sessions = Sessions(2, 300.0, ended.append, lambda: now[0])
-    first, second = sessions.begin("a"), sessions.begin("b")
+    first, second = sessions.begin("a", "http"), sessions.begin("b", "http")
     assert first
     assert second
-    assert sessions.begin("c") is None
+    assert sessions.begin("c", "http") is None
     now[0] = 200.0
-    assert sessions.find(first.cookies) is first
+    assert sessions.find(first.cookies, "http") is first
     now[0] = 400.0
-    assert sessions.find(second.cookies) is None
+    assert sessions.find(second.cookies, "http") is None
     assert ended == [second.number]
-    assert sessions.find(first.cookies) is first
+    assert sessions.find(first.cookies, "http") is first
 
 
 @pytest.mark.parametrize(
@@ -120,7 +120,42 @@ def test_an_idle_session_ends() -> None:
     ],
 )
 def test_pages_from_elsewhere_do_not_come_in(headers: dict[str, str], lets_in: bool) -> None:
-    assert Guard("127.0.0.1").admits(headers) is lets_in
+    refused = Guard("127.0.0.1").objection("GET", "/rw", headers)
+    assert (refused is None) is lets_in
+    assert lets_in or "--allow-" in str(refused)
+
+
+def test_names_and_pages_come_in_that_are_allowed(tmp_path: Path) -> None:
+    page = "http://localhost:3000"
+    guard = Guard("127.0.0.1", frozenset({"robot"}), frozenset({page}))
+
+    async def use(served: Served) -> None:
+        url, host = f"{served.base}/rw/system", {"Host": "robot:8080"}
+        asked = {**host, "Origin": page, "Access-Control-Request-Method": "POST"}
+        async with aiohttp.ClientSession() as nobody:
+            async with nobody.options(url, headers=asked) as response:
+                assert response.status == 204
+                assert "POST" in response.headers["Access-Control-Allow-Methods"]
+            async with nobody.options(url, headers={**host, "Origin": "http://evil"}) as response:
+                assert response.status == 403
+            async with nobody.get(url, headers={**host, "Origin": page}) as response:
+                assert response.status == 401
+        async with served.client.get(url, headers={**host, "Origin": page}) as response:
+            assert response.status == 200
+            assert response.headers["Access-Control-Allow-Origin"] == page
+        async with served.client.get(url, headers=host) as response:
+            assert response.status == 200
+            assert "Access-Control-Allow-Origin" not in response.headers
+
+    serve(tmp_path, IDLE, use, guard=guard)
+
+
+def test_a_link_elsewhere_leads_to_the_operator_page_only() -> None:
+    headers = {"Host": "127.0.0.1:8080", "Sec-Fetch-Site": "cross-site"}
+    guard = Guard("127.0.0.1")
+    assert guard.objection("GET", "/ui", headers) is None
+    for method, path in (("POST", "/ui"), ("GET", "/ui/state"), ("GET", "/logout")):
+        assert guard.objection(method, path, headers)
 
 
 def test_loopback_addresses_are_known() -> None:
@@ -154,7 +189,6 @@ def test_files_come_and_go_and_nobody_leaves_the_home_folder(tmp_path: Path) -> 
             "$HOME/out/secret.txt",
             "$NOWHERE/a.txt",
             "etc/passwd",
-            "",
         ):
             status, body = await ask("GET", path)
             assert status == 404, path
@@ -162,6 +196,11 @@ def test_files_come_and_go_and_nobody_leaves_the_home_folder(tmp_path: Path) -> 
             assert (await ask("PUT", path, data=b"x"))[0] in (400, 404), path
             assert (await ask("DELETE", path))[0] in (400, 404), path
         assert (await ask("DELETE", "$HOME"))[0] == 400
+        assert [(await ask(method, ""))[0] for method in ("GET", "PUT", "DELETE")] == [
+            200,
+            400,
+            400,
+        ]
         assert (await ask("DELETE", "$HOME/logs/a.txt"))[0] == 204
         assert (await ask("DELETE", "$HOME/logs/a.txt"))[0] == 404
         assert (tmp_path / "secret.txt").read_text() == "secret"
@@ -194,6 +233,17 @@ def test_half_a_request_and_none_are_no_faults_of_the_server(
     serve(tmp_path, IDLE, use)
     assert not caplog.records
     assert not (tmp_path / "home" / "x").exists()
+
+
+def test_an_answer_may_come_as_late_as_that_of_a_controller(tmp_path: Path) -> None:
+    async def use(served: Served) -> None:
+        loop = asyncio.get_running_loop()
+        for action, wait_s in (("resetpp", 0.0), ("start", 0.3)):
+            began_s = loop.time()
+            assert await served.post(f"rw/rapid/execution?action={action}") == (204, 0)
+            assert loop.time() - began_s >= wait_s
+
+    serve(tmp_path, IDLE, use, latencies_s={"start": 0.3})
 
 
 def test_nothing_that_a_client_sends_ends_the_server(tmp_path: Path) -> None:

@@ -4,6 +4,11 @@ from pathlib import Path
 
 from served_controller import Served, serve
 
+from rapidsim.diagnostics import Severity
+from rapidsim.jobs.checking.check_files import check_job
+from rapidsim.jobs.inputs.job import job
+from rapidsim.jobs.inputs.run_request import RunRequest
+
 PROGRAM = """MODULE Calling
     PERS num made := 0;
     PROC main()
@@ -48,6 +53,61 @@ def test_a_module_that_a_client_uploads_is_loaded_run_and_unloaded(tmp_path: Pat
         assert await served.post(f"{task}unloadmod", module="PartMod") == (400, -1073442816)
 
     serve(tmp_path, PROGRAM, use)
+
+
+def test_a_controller_without_a_program_has_it_loaded_later(tmp_path: Path) -> None:
+    (tmp_path / "cell").mkdir()
+    program = "MODULE Late\nPERS num made := 0;\nPROC main()\nmade := 7;\nENDPROC\nENDMODULE\n"
+
+    async def use(served: Served) -> None:
+        (task,) = await served.get("rw/rapid/tasks")
+        assert (task["name"], task["excstate"]) == ("T_ROB1", "uninitialized")
+        start = "rw/rapid/execution?action=start"
+        assert await served.post(start) == (400, -1073442809)
+        async with served.client.put(f"{served.base}/fileservice/$HOME/l.mod", data=program) as put:
+            assert put.status == 201
+        load = "rw/rapid/tasks/T_ROB1?action=loadmod"
+        assert await served.post(load, modulepath="$HOME/l.mod") == (204, 0)
+        assert await served.post("rw/rapid/execution?action=resetpp") == (204, 0)
+        assert await served.post(start, cycle="once") == (204, 0)
+        assert await served.value("made") == "7"
+        names = [one["name"] for one in await served.get("rw/rapid/modules?task=T_ROB1")]
+        assert names == ["user", "Late"]
+
+    serve(tmp_path, None, use)
+
+
+def test_a_backup_is_a_cell_that_check_takes(tmp_path: Path) -> None:
+    (tmp_path / "home" / "logs").mkdir(parents=True)
+    (tmp_path / "home" / "logs" / "a.txt").write_text("one")
+    moves = "MoveAbsJ [[4,0,0,0,30,0],[9E9,9E9,9E9,9E9,9E9,9E9]], v100, fine, tool0;\nSetDO doX, 1;"
+    program = PROGRAM.replace('%"part"%;', f"{moves} made := made + 1;")
+
+    async def use(served: Served) -> None:
+        await served.post("rw/rapid/execution?action=start", cycle="once")
+        while await served.executes():
+            pass
+        assert (await served.get("ctrl/backup?action=backupstate"))[0]["backup-state"] == "None"
+        url = f"{served.base}/ctrl/backup?action=backup"
+        for wrong in ("/fileservice/$HOME/b", "$BACKUP", "$NOWHERE/b", "b", "$BACKUP/../b"):
+            async with served.client.post(url, data={"backup": wrong}) as done:
+                assert 400 <= done.status < 500, wrong
+        place = {"backup": "/fileservice/$BACKUP/day"}
+        async with served.client.post(url, data=place) as done:
+            assert (done.status, done.headers["Location"]) == (202, "/progress/1")
+        assert (await served.get("progress/1"))[0]["_title"] == "backup"
+        async with served.client.post(url, data=place) as done:
+            assert done.status == 400
+
+    serve(tmp_path, program, use)
+    backup = tmp_path / "home" / "BACKUP" / "day"
+    assert (backup / "HOME" / "logs" / "a.txt").read_text() == "one"
+    assert "made := 1" in (backup / "RAPID" / "TASK1" / "PROGMOD" / "Calling.mod").read_text()
+    found = check_job(job(RunRequest(paths=(str(backup),))))
+    assert [one for one in found.diagnostics if one.severity is Severity.ERROR] == []
+    station = job(RunRequest(paths=(str(backup),))).station
+    assert (str(station.robotware), station.robot) == ("6.16", "irb1600-6-1.2")
+    assert [one.name for one in station.io.signals] == ["doX"]
 
 
 OTHER = """MODULE Other

@@ -93,6 +93,44 @@ def test_what_there_is_and_is_not_among_data(tmp_path: Path) -> None:
     serve(tmp_path, COUNTING, use)
 
 
+def test_elements_and_components_are_data_too(tmp_path: Path) -> None:
+    program = COUNTING.replace(
+        "VAR num total",
+        "PERS robtarget path{3} := [[[1,2,3],[1,0,0,0],[0,0,0,0],[0,0,0,0,0,0]],"
+        "[[4,5,6],[1,0,0,0],[0,0,0,0],[0,0,0,0,0,0]],[[7,8,9],[1,0,0,0],[0,0,0,0],"
+        "[0,0,0,0,0,0]]];\n    PERS num grid{2,2} := [[1,2],[3,4]];\n    VAR num total",
+    )
+    target = "[[1500,0,1789],[0,0,1,0],[0,0,0,0],[9E+9,9E+9,9E+9,9E+9,9E+9,9E+9]]"
+
+    async def use(served: Served) -> None:
+        data = "rw/rapid/symbol/data/RAPID/T_ROB1/Counting"
+        element = f"{data}/path%7B2%7D"
+        assert await served.post(f"{element}?action=set", value=target) == (204, 0)
+        for path, value in (
+            (element, target.replace("9E+9", "9E+09")),
+            (f"{data}/path%7B1%7D.trans", "[1,2,3]"),
+            (f"{data}/PATH{{3}}.trans.y", "8"),
+            (f"{data}/grid{{2,1}}", "3"),
+            (f"{data}/grid{{2}}", "[3,4]"),
+            ("rw/rapid/symbol/data/RAPID/T_ROB1/tool0.tframe.rot", "[1,0,0,0]"),
+        ):
+            (state,) = await served.get(path)
+            assert state["value"] == value
+        assert await served.post(f"{data}/grid{{2,1}}?action=set", value="7") == (204, 0)
+        assert await served.value("grid") == "[[1,2],[7,4]]"
+        assert await served.post(f"{data}/grid{{2,1}}?action=set", value="[7]") == (
+            400,
+            -1073445879,
+        )
+        properties = "rw/rapid/symbol/properties/RAPID/T_ROB1/Counting"
+        (shape,) = await served.get(f"{properties}/path{{2}}")
+        assert (shape["dattyp"], shape["ndim"]) == ("robtarget", "0")
+        for nothing in ("path{0}", "path{4}", "path{n}", "path{1", "path.x", "grid{1}{1}{1}"):
+            assert await served.status(f"{data}/{nothing}") == (400, -1073414146), nothing
+
+    serve(tmp_path, program, use)
+
+
 def test_the_panel(tmp_path: Path) -> None:
     async def use(served: Served) -> None:
         assert await served.post(

@@ -63,6 +63,10 @@ def test_a_message_raises_its_interrupt_and_is_answered(tmp_path: Path) -> None:
         assert await send("ping;[TRUE]") == (204, 0)
         assert await served.value("heard") == "2"
         assert await send("no message") == (400, -1073445879)
+        # Clients among themselves send what they like.
+        assert await send("text; of any kind ", "client") == (204, 0)
+        (answer,) = await served.get("rw/dipc/client?action=dipc-read")
+        assert answer["dipc-data"] == "text; of any kind "
         assert await send("num;5", "nobody") == (404, -1073414146)
 
     serve(tmp_path, PROGRAM, use)

@@ -53,6 +53,12 @@ class Client:
         first: dict[str, Any] = body["state"][0]
         return first
 
+    async def resources(self, path: str) -> list[dict[str, Any]]:
+        status, body = await self.get(path)
+        assert status == 200
+        found: list[dict[str, Any]] = body["_embedded"]["resources"]
+        return found
+
 
 def serve_second(folder: Path, use: Callable[[Client, Served], Awaitable[None]]) -> None:
     async def used(served: Served) -> None:
@@ -83,7 +89,8 @@ def test_a_program_is_started_and_its_data_are_set_with_mastership(tmp_path: Pat
         assert await client.post(start, execmode="continue", cycle="once") == 204
         assert (await client.state("rw/rapid/execution"))["ctrlexecstate"] == "running"
         assert (await client.state(f"{ROUNDS}/data"))["value"] == "6"
-        assert (await client.state(f"{ROUNDS}/properties"))["dattyp"] == "num"
+        (listed,) = await client.resources(f"{ROUNDS}/properties")
+        assert listed["dattyp"] == "num"
         assert await client.post("rw/rapid/execution/stop", stopmode="stop") == 204
         signal = "rw/iosystem/signals/doPulse"
         assert await client.post(f"{signal}/set-value", lvalue="1") == 204
@@ -212,7 +219,7 @@ def test_signals_come_in_pages(tmp_path: Path) -> None:
         del served
         _, body = await client.get("rw/iosystem/signals?limit=1")
         assert "next" not in body["_links"]
-        assert [one["name"] for one in body["state"]] == ["doPulse"]
+        assert [one["name"] for one in body["_embedded"]["resources"]] == ["doPulse"]
 
     serve_second(tmp_path, use)
 

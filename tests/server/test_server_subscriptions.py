@@ -1,10 +1,14 @@
 """Clients are told what changes."""
 
+import math
 import re
 from pathlib import Path
 
 import aiohttp
+import pytest
 from served_controller import Served, serve
+
+from rapidsim.server.messages import Subscribe
 
 PROGRAM = """MODULE Telling
     PERS num rounds := 0;
@@ -61,6 +65,43 @@ def test_values_are_told_first_and_then_every_change(tmp_path: Path) -> None:
         await socket.close()
 
     serve(tmp_path, PROGRAM, use)
+
+
+def test_data_that_always_change_are_told_as_often_as_their_priority_says(tmp_path: Path) -> None:
+    program = """MODULE Telling
+    PERS num rounds := 0;
+    PROC main()
+        rounds := rounds + 1;
+        WaitTime 0.01;
+    ENDPROC
+ENDMODULE
+"""
+
+    async def use(served: Served) -> None:
+        engine, heard = served.engine, list[tuple[float, int]]()
+        engine.subscriptions.on_event = lambda event: heard.append((engine.live.now_s, event.group))
+        engine.subscriptions.is_paced = True
+        resource = ("/rw/rapid/symbol/data/RAPID/T_ROB1/rounds;value",)
+        for priority in (0, 1, 2):
+            engine.reply(Subscribe(resource, priority, priorities=(priority,)))
+        assert await served.post("rw/rapid/execution?action=start", cycle="forever") == (204, 0)
+        heard.clear()
+        while engine.live.now_s < 21.0:
+            engine.live.step(engine.live.now_s + 0.01)
+            engine.subscriptions.publish_changes(has_changed=True)
+        for priority, period_s in enumerate((5.25, 0.4, 0.05)):
+            times = [time_s for time_s, group in heard if group == priority]
+            assert (times[-1] - times[0]) / (len(times) - 1) == pytest.approx(period_s, abs=0.011)
+        await served.post("rw/rapid/execution?action=stop")
+        # The last value is never missed, and its event has a time.
+        assert engine.subscriptions.next_due_s < math.inf
+        heard.clear()
+        engine.live.advance(30.0)
+        engine.step()
+        assert 0 in {group for _, group in heard}
+        assert engine.subscriptions.next_due_s == math.inf
+
+    serve(tmp_path, program, use)
 
 
 def test_a_group_ends_with_its_websocket_its_deletion_or_its_session(tmp_path: Path) -> None:

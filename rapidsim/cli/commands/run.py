@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from dataclasses import replace
 from functools import cache, partial
 from pathlib import Path
 from typing import TypeAlias
@@ -134,7 +135,7 @@ def run(
     outputs = new_outputs(files, program_name(request.paths))
     if outputs.lacks_recorder and not terminal.quiet:
         echo(f"note: no recording, which needs rerun: {pip_install('rerun')}", err=True)
-    job = job_of(request)
+    job = job_of(replace(request, may_be_empty=replay is not None))
     ready = loaded(job, in_runs=not (breaks or profile or replay))
     job = ready.job
     try:

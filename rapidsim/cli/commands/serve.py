@@ -11,6 +11,7 @@ from math import inf
 from pathlib import Path
 from ssl import SSLContext
 from typing import TYPE_CHECKING
+from urllib.parse import urlsplit
 
 import click
 
@@ -23,7 +24,7 @@ from rapidsim.cli.terminal import current_terminal, echo, terminal_options
 from rapidsim.cli.viewer import require_screen
 from rapidsim.diagnostics import Diagnostic
 from rapidsim.extras import require
-from rapidsim.files import InputError
+from rapidsim.files import InputError, input_bytes
 from rapidsim.jobs.inputs.run_request import DEFAULT_ENTRY, RunRequest
 from rapidsim.values import value_class
 
@@ -56,20 +57,40 @@ class ServeOptions:
         show_default=True,
         help="The address to listen on.",
     )
-    rws1_port: str = option(
+    allow_hosts: tuple[str, ...] = option(
+        "--allow-host",
+        metavar="NAME",
+        multiple=True,
+        help="Another name under which clients address the server, as in a container's network.",
+    )
+    allow_origins: tuple[str, ...] = option(
+        "--allow-origin",
+        metavar="URL",
+        multiple=True,
+        help="A web page elsewhere that may use the server, as http://localhost:3000.",
+    )
+    robotware: str | None = option(
+        "--robotware",
+        type=click.Choice(["6", "7", "8"]),
+        help="Serve only RobotWare 6 (Robot Web Services 1.0), 7 or 8 (2.0); default: both, with "
+        "the version of the backup.",
+    )
+    rws1_port: str | None = option(
         "--rws1-port",
         metavar="N|off",
-        default="8080",
-        show_default=True,
         help="The port of Robot Web Services 1.0 (RobotWare 6); 0 picks a free one, off disables "
-        "it.",
+        "it; default 8080.",
     )
-    rws2_port: str = option(
+    rws2_port: str | None = option(
         "--rws2-port",
         metavar="N|off",
-        default="8443",
-        show_default=True,
-        help="The port of Robot Web Services 2.0 (RobotWare 7), with TLS.",
+        help="The port of Robot Web Services 2.0 (RobotWare 7 and 8), with TLS; default 8443.",
+    )
+    latency: str | None = option(
+        "--latency",
+        type=click.Choice(["irc5"]),
+        help="Answer starts and loads of modules as late as this controller: irc5 after 10 and "
+        "13 s.",
     )
     speed: str = option(
         "--speed",
@@ -121,6 +142,11 @@ class ServeOptions:
         metavar="NAME:PASSWORD",
         multiple=True,
         help="A login that replaces a controller's default users.",
+    )
+    user_file: str | None = option(
+        "--user-file",
+        metavar="FILE",
+        help="Such logins, one a line; also in the environment variable RAPIDSIM_USERS.",
     )
     max_sessions: int = option(
         "--max-sessions",
@@ -175,7 +201,7 @@ def serve(options: ServeOptions) -> int:
     Exit codes: 0 ended on request, 1 the program has errors, 2 wrong usage or a port in use.
     """
     require("aiohttp", "rapidsim serve")
-    ports = _port("--rws1-port", options.rws1_port), _port("--rws2-port", options.rws2_port)
+    ports = _ports(options)
     if ports[1] is not None:
         require("cryptography", "--rws2-port")
     from rapidsim.jobs.running.run_files import ProgramRejectedError
@@ -191,6 +217,7 @@ def serve(options: ServeOptions) -> int:
         task=options.task,
         io=options.io,
         entry=DEFAULT_ENTRY,
+        may_be_empty=True,
         assume_missing=options.assume_missing,
         home=options.home,
         ramdisk=options.ramdisk,
@@ -239,11 +266,11 @@ def _require_consistent(options: ServeOptions, ports: tuple[int | None, int | No
         require("rerun", "--record")
     if options.request_time is not None and not options.lock_step:
         raise InputError("--request-time: it needs --lock-step")
-    if not options.users and not is_loopback(options.host):
+    if not _logins(options) and not is_loopback(options.host):
         raise InputError(
             f"--host {options.host}: other computers reach it, and default passwords are known to "
             "all",
-            "`--user NAME:PASSWORD` says who may come in",
+            "`--user NAME:PASSWORD` or `--user-file FILE` says who may come in",
         )
 
 
@@ -257,6 +284,7 @@ def _engine_settings(options: ServeOptions) -> EngineSettings:
         request_s=(options.request_time or 0.05) if options.lock_step else None,
         motors=Motors.ON if options.motors == "on" else Motors.OFF,
         mode=OperatingMode(_MODES[options.opmode]),
+        robotware=None if options.robotware is None else int(options.robotware),
         hosts=frozenset(options.network_hosts),
         sensors=tuple(map(read_device, options.sensors)),
         journal=None if options.journal is None else Path(options.journal),
@@ -266,17 +294,40 @@ def _engine_settings(options: ServeOptions) -> EngineSettings:
 
 
 def _server_settings(options: ServeOptions, ports: tuple[int | None, int | None]) -> ServerSettings:
-    from rapidsim.server.settings import DEFAULT_USERS, ServerSettings
+    from rapidsim.server.settings import DEFAULT_USERS, LATENCIES, NO_LATENCIES, ServerSettings
 
     return ServerSettings(
         host=options.host,
         rws1_port=ports[0],
         rws2_port=ports[1],
         tls=None if ports[1] is None else _tls(),
-        users=_users(options.users) if options.users else DEFAULT_USERS,
+        hosts=frozenset(name.lower() for name in options.allow_hosts),
+        origins=frozenset(map(_origin, options.allow_origins)),
+        users=_users(_logins(options)) or DEFAULT_USERS,
+        latencies_s=LATENCIES[options.latency] if options.latency else NO_LATENCIES,
         most_sessions=options.max_sessions,
         # In lock-step nothing depends on the wall, sessions included.
         session_timeout_s=inf if options.lock_step else options.session_timeout,
+    )
+
+
+def _ports(options: ServeOptions) -> tuple[int | None, int | None]:
+    """Return the ports of both generations; None for one that is not served.
+
+    Raises:
+        InputError: If a port is none, or of a generation that the version does not speak.
+    """
+    defaults = {"6": ("8080", "off"), "7": ("off", "8443"), "8": ("off", "8443")}
+    first, second = defaults.get(options.robotware or "", ("8080", "8443"))
+    for name, text, default in (
+        ("--rws1-port", options.rws1_port, first),
+        ("--rws2-port", options.rws2_port, second),
+    ):
+        if default == "off" and text not in (None, "off"):
+            raise InputError(f"{name} {text}: RobotWare {options.robotware} does not speak it")
+    return (
+        _port("--rws1-port", options.rws1_port or first),
+        _port("--rws2-port", options.rws2_port or second),
     )
 
 
@@ -313,6 +364,31 @@ def _speed(text: str) -> float | None:
     if not 0.0 < speed < float("inf"):
         raise InputError(f"--speed: `{text}` is neither a positive number nor max")
     return speed
+
+
+def _origin(url: str) -> str:
+    """Return an origin as browsers send it.
+
+    Raises:
+        InputError: If the text is no scheme and host.
+    """
+    parts = urlsplit(url)
+    if parts.scheme not in ("http", "https") or not parts.netloc or parts.path.strip("/"):
+        raise InputError(f"--allow-origin: `{url}` is no origin such as http://localhost:3000")
+    return f"{parts.scheme}://{parts.netloc}".lower()
+
+
+def _logins(options: ServeOptions) -> tuple[str, ...]:
+    """Return all logins: of the command line, which others can see, of a file, and of a variable.
+
+    Raises:
+        InputError: If the file cannot be read.
+    """
+    texts = [os.environ.get("RAPIDSIM_USERS", "")]
+    if options.user_file is not None:
+        texts.append(input_bytes(Path(options.user_file)).decode("utf-8", "replace"))
+    lines = (line.strip() for text in texts for line in text.splitlines())
+    return (*options.users, *(line for line in lines if line))
 
 
 def _users(texts: tuple[str, ...]) -> dict[str, str]:

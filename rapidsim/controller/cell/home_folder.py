@@ -32,8 +32,9 @@ from rapidsim.language.error_numbers import (
 from rapidsim.language.errors import RapidError
 from rapidsim.language.files import FileMode, OpenFile
 
-# Never wait for a pipe, never follow a link that appeared after the check; Windows has neither.
-_CAUTION = getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_NOFOLLOW", 0) | getattr(os, "O_BINARY", 0)
+CAUTION = getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_NOFOLLOW", 0) | getattr(os, "O_BINARY", 0)
+"""Flags: never wait for a pipe, never follow a link that appeared after the check; Windows has
+neither."""
 _MOST_OPEN = 100
 """The most files a program may have open; the system's limit is for rapidsim's files too."""
 _LARGEST_SNAPSHOT = 20_000_000
@@ -47,13 +48,18 @@ _HOME_FOLDER = "HOME/"
 _MODES = {FileMode.READ: "rb", FileMode.WRITE: "wb", FileMode.APPEND: "ab"}
 
 
-class _Disk:
-    """Limit of the data that a run may write: a loop must not fill the user's disk."""
+class DiskLimit:
+    """Limit of the data that a run and its clients may write: none must fill the user's disk."""
 
     def __init__(self) -> None:
         """Begin with an empty disk."""
         self._used = 0
         self._made = 0
+
+    @property
+    def free(self) -> int:
+        """Number of bytes that may still be written."""
+        return DISK_BYTES - self._used
 
     def use(self, count: int) -> None:
         """Use more bytes.
@@ -67,20 +73,27 @@ class _Disk:
             )
         self._used += count
 
+    def release(self, count: int, files: int = 0) -> None:
+        """Release the bytes of files that are gone; those of earlier runs were never used."""
+        self._used = max(0, self._used - count)
+        self._made = max(0, self._made - files)
+
     def make(self, place: Path) -> None:
         """Make a file or folder, and the folders above it, if missing.
 
         Raises:
             RapidError: ERR_FILEACC, if the run has made too many.
         """
+        made = self._made
         for one in (place, *place.parents):
             if one.exists():
                 break
-            self._made += 1
-        if self._made > DISK_FILES:
+            made += 1
+        if made > DISK_FILES:
             raise rapid_error(
                 ERR_FILEACC, f"the disk is full: a run may make {DISK_FILES} files and folders"
             )
+        self._made = made
 
 
 @dataclass(frozen=True, slots=True)
@@ -94,7 +107,7 @@ class HomeSnapshot:
 class HomeFile:
     """One open file of the home folder."""
 
-    def __init__(self, stream: BinaryIO, name: str, disk: _Disk, owner: object) -> None:
+    def __init__(self, stream: BinaryIO, name: str, disk: DiskLimit, owner: object) -> None:
         """Take over an open stream; `name` is for messages."""
         self.owner = owner
         self._stream = stream
@@ -174,7 +187,7 @@ class HomeFolder:
         """The written files, and the virtual time [s] at which each was last opened to write."""
         self._loaded: dict[Path, float] = {}
         """For each program file that was read, the time [s] at which it was last written."""
-        self._disk = _Disk()
+        self.disk = DiskLimit()
         self.lacks = False
         """Whether the program has requested a file or folder that does not exist."""
 
@@ -191,11 +204,11 @@ class HomeFolder:
         if len(self._files) >= _MOST_OPEN:
             raise RapidError(ERR_FILEOPEN, f"{path}: {_MOST_OPEN} files are open already")
         if mode is not FileMode.READ:
-            self._disk.make(place)
+            self.disk.make(place)
         try:
             if mode is not FileMode.READ:
                 place.parent.mkdir(parents=True, exist_ok=True)
-            descriptor = os.open(place, _flags(mode) | _CAUTION, 0o666)
+            descriptor = os.open(place, _flags(mode) | CAUTION, 0o666)
             if not stat.S_ISREG(os.fstat(descriptor).st_mode):
                 os.close(descriptor)
                 raise RapidError(ERR_FILEOPEN, f"{path} is not a regular file")
@@ -206,7 +219,7 @@ class HomeFolder:
             raise RapidError(ERR_FILEOPEN, f"{path}: {reason}") from None
         if mode is not FileMode.READ:
             self._written[place] = now_s
-        file = HomeFile(stream, path, self._disk, owner)  # type: ignore[arg-type]
+        file = HomeFile(stream, path, self.disk, owner)  # type: ignore[arg-type]
         self._files = [one for one in self._files if not one.is_closed] + [file]
         return file
 
@@ -227,7 +240,7 @@ class HomeFolder:
         if not place.is_file():
             raise rapid_error(ERR_FILNOTFND, f"there is no file {path} in {self._folder}")
         try:
-            with os.fdopen(os.open(place, os.O_RDONLY | _CAUTION), "rb") as stream:
+            with os.fdopen(os.open(place, os.O_RDONLY | CAUTION), "rb") as stream:
                 data = stream.read(most + 1)
         except OSError as error:
             reason = (error.strerror or "cannot be read").lower()
@@ -249,9 +262,9 @@ class HomeFolder:
         """
         source, target = self._regular(old), self._free(new)
         with _refusals(new):
-            self._disk.make(target)
+            self.disk.make(target)
             target.parent.mkdir(parents=True, exist_ok=True)
-            self._disk.use(source.stat().st_size)
+            self.disk.use(source.stat().st_size)
             shutil.copyfile(source, target, follow_symlinks=False)
         self._written[target] = now_s
 
@@ -259,7 +272,7 @@ class HomeFolder:
         """Rename or move a file; raises as `copy` does."""
         source, target = self._regular(old), self._free(new)
         with _refusals(new):
-            self._disk.make(target)
+            self.disk.make(target)
             target.parent.mkdir(parents=True, exist_ok=True)
             source.rename(target)
         self._written[target] = self._written.pop(source, 0.0)
@@ -275,7 +288,7 @@ class HomeFolder:
         """Make a folder that does not exist yet."""
         place = self._place(path)
         with _refusals(path):
-            self._disk.make(place)
+            self.disk.make(place)
             place.parent.mkdir(parents=True, exist_ok=True)
             place.mkdir()
 

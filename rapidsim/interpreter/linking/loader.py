@@ -14,6 +14,7 @@ from rapidsim.analysis.literals import Value
 from rapidsim.analysis.program import DataSymbol, Program, RoutineSymbol, Scope
 from rapidsim.interpreter.limits import RUNNING_DEPTH, recursion_limit
 from rapidsim.interpreter.linking.linker import LinkedProgram
+from rapidsim.interpreter.linking.saved_text import saved_text
 from rapidsim.interpreter.linking.symbols import TaskSymbols
 from rapidsim.interpreter.linking.task_modules import TaskModules
 from rapidsim.interpreter.runtime.arrays import assign_array
@@ -26,6 +27,7 @@ from rapidsim.interpreter.runtime.shared_persistents import SharedPersistents
 from rapidsim.language.controller import Controller
 from rapidsim.language.errors import RapidError
 from rapidsim.library.predefined import DATA
+from rapidsim.syntax import tree
 from rapidsim.values import value_class
 
 __all__ = ["CallFrame", "FatalError", "Task", "load", "running"]
@@ -44,6 +46,10 @@ class Task:
     def program(self) -> Program:
         """The program with its current modules."""
         return self._linked.program
+
+    def text_of(self, module: tree.Module) -> str:
+        """Text of a module with the current values of its persistents."""
+        return saved_text(module, self._linked)
 
     def run(self, entry: str = "main") -> None:
         """Execute a procedure without parameters.

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections import deque
 from collections.abc import Iterator
 from typing import Any
@@ -18,6 +17,7 @@ from rapidsim.language.error_numbers import (
     ERR_SYMBOL_TYPE,
     rapid_error,
 )
+from rapidsim.language.name_pattern import NamePattern, PatternError
 from rapidsim.language.symbols import DataName, DataSearch
 from rapidsim.language.types import ArrayOf, Type, same
 
@@ -57,12 +57,11 @@ class TaskSymbols:
     def search(self, search: DataSearch) -> tuple[DataName, ...]:
         """All data that match."""
         try:
-            pattern = re.compile(search.pattern or ".*", re.IGNORECASE)
-        except re.error as error:
+            return tuple(self._matching(search, NamePattern(search.pattern or ".*")))
+        except PatternError as error:
             raise rapid_error(
                 ERR_ARGVALERR, f'"{search.pattern}" is no regular expression: {error}'
             ) from None
-        return tuple(self._matching(search, pattern))
 
     def begin_search(self, search: DataSearch | None) -> None:
         """Begin a search for data."""
@@ -72,7 +71,7 @@ class TaskSymbols:
         """The next match of the search."""
         return self._found.popleft() if self._found else None
 
-    def _matching(self, search: DataSearch, pattern: re.Pattern[str]) -> Iterator[DataName]:
+    def _matching(self, search: DataSearch, pattern: NamePattern) -> Iterator[DataName]:
         for symbol in module_data(self.linked.program):
             assert symbol.module is not None
             element = symbol.type.element if isinstance(symbol.type, ArrayOf) else symbol.type
@@ -83,7 +82,7 @@ class TaskSymbols:
                 and search.module in (None, symbol.module.name.text)
                 and not (is_local and search.only_global)
                 and not (search.only_local and not is_local)
-                and pattern.fullmatch(symbol.name)
+                and pattern.matches(symbol.name)
             ):
                 yield DataName(symbol.name, symbol.module.name.text)
 

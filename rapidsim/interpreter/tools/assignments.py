@@ -45,7 +45,7 @@ def assign(path: str, text: str, frame: FrameType, symbols: Symbols) -> str:
     if new is None:
         raise NotShownError(f"`{text}` is no {of.name}")
     name, parts = parts_of(path, frame)
-    root = _replaced(value_at(name, frame)[0], parts, new)
+    root = with_part(value_at(name, frame)[0], parts, new)
     variable = local_variable(name, frame)
     if variable is not None:
         _set_local(*variable, root)
@@ -61,16 +61,16 @@ def assign(path: str, text: str, frame: FrameType, symbols: Symbols) -> str:
     return value_text(new, of)
 
 
-def _replaced(root: Value, parts: Sequence[int], new: Value) -> Value:
+def with_part(root: Value, parts: Sequence[int], new: Value) -> Value:
     """Return a value with one of its parts, at any depth, replaced."""
     if not parts:
         return new
     first, *rest = parts
     if isinstance(root, list):
         copy = list(root)
-        copy[first] = _replaced(root[first], rest, new)
+        copy[first] = with_part(root[first], rest, new)
         return copy
-    return with_component(root, (first,), _replaced(root[first], rest, new))
+    return with_component(root, (first,), with_part(root[first], rest, new))
 
 
 def _set_local(frame: FrameType, key: str, index: int | None, value: Value) -> None:

@@ -7,7 +7,7 @@ RAPID syntax. References are followed.
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from types import FrameType
 from typing import TypeAlias
 
@@ -152,8 +152,25 @@ def _followed(path: str, frame: FrameType) -> tuple[str, tuple[int, ...], Value,
             f"`{path}` is not the name of data, such as `n`, `p10.trans` or `a{{i}}`"
         )
     name, steps = match.groups()
-    parts: list[int] = []
     value, of = data_of(name, frame)
+    return name, *follow_steps(steps, value, of, lambda text: _index(text, frame))
+
+
+def follow_steps(
+    steps: str, value: Value, of: Type, index_of: Callable[[str], int]
+) -> tuple[tuple[int, ...], Value, Type]:
+    """Return a part of a value: its positions from 0, its value and its type.
+
+    Args:
+        steps: Indices and components: `{2}.trans.x`.
+        value: The whole value.
+        of: Its type.
+        index_of: Evaluates an index.
+
+    Raises:
+        NotShownError: If there is no such part.
+    """
+    parts: list[int] = []
     for indices, component in _STEP.findall(steps):
         if component:
             part, found = _component(resolved(of), component)
@@ -161,10 +178,16 @@ def _followed(path: str, frame: FrameType) -> tuple[str, tuple[int, ...], Value,
             value, of = value[part], found
         else:
             for text in indices.split(","):
-                index = _index(text.strip(), frame)
+                index = index_of(text.strip())
                 value, of = _element(value, of, index)
                 parts.append(index - 1)
-    return name, tuple(parts), value, of
+    return tuple(parts), value, of
+
+
+def name_and_steps(path: str) -> tuple[str, str] | None:
+    """Split data with indices and components into name and the rest; None if they are none."""
+    match = _PATH.match(path)
+    return None if match is None else (match[1], match[2])
 
 
 def _index(text: str, frame: FrameType) -> int:

@@ -10,7 +10,7 @@ import os
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import replace
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Final
 
 from rapidsim.analysis.cell_names import CellNames
 from rapidsim.files import InputError, SourceFile, did_you_mean
@@ -20,7 +20,7 @@ from rapidsim.jobs.inputs.robot_choice import RobotChoice
 from rapidsim.jobs.inputs.run_request import DEFAULT_ENTRY, RunRequest
 from rapidsim.jobs.inputs.selection import choose_settings
 from rapidsim.jobs.inputs.task_files import chosen_tasks
-from rapidsim.module_files import TaskFiles, single_programs
+from rapidsim.module_files import TaskFiles, has_modules, single_programs
 from rapidsim.station.cell_names import declared_names
 from rapidsim.station.station import Station
 from rapidsim.values import value_class
@@ -31,6 +31,8 @@ if TYPE_CHECKING:
 
 OpenRobot = Callable[[str, float | None], "Robot"]
 """Loads an arm by its name and the scale of a URDF file."""
+_USER: Final = SourceFile("user.sys", "MODULE user(SYSMODULE)\nENDMODULE\n", "utf-8")
+"""The module that a controller without programs has."""
 
 
 @value_class(frozen=True, slots=True)
@@ -234,6 +236,10 @@ def _read_tasks(request: RunRequest, station: Station) -> tuple[TaskFiles, ...]:
     Raises:
         InputError: See `job`; also if the request contains the text of a file of no task.
     """
+    if request.may_be_empty and _has_no_modules(request.paths, station):
+        empty = TaskFiles(None, (_USER,))
+        task_names = [one.name for one in station.tasks if not one.is_system] or [station.task]
+        return tuple(replace(empty, name=name) for name in task_names)
     tasks = chosen_tasks(request.paths, station, request.task)
     if not request.texts:
         return tasks
@@ -250,6 +256,13 @@ def _read_tasks(request: RunRequest, station: Station) -> tuple[TaskFiles, ...]:
         )
         for task in tasks
     )
+
+
+def _has_no_modules(paths: Iterable[str], station: Station) -> bool:
+    """Whether the paths are folders without modules, and the station file names none."""
+    folders = [Path(path) for path in paths]
+    are_empty = all(one.is_dir() and not has_modules(one) for one in folders)
+    return are_empty and not any(task.modules for task in station.tasks)
 
 
 def _of_the_catalogue(name: str, scale: float | None) -> Robot:

@@ -39,6 +39,8 @@ class RunRequest:
     io: str | Mapping[str, object] | None = None
     """Signals and changes of inputs in addition to those of the station: a file, or its tables."""
     entry: str = DEFAULT_ENTRY
+    may_be_empty: bool = False
+    """Whether folders may have no modules, and programs no entry: clients load them later."""
     assume_missing: bool = False
     """Whether undeclared names are assumed to exist; the station may also enable it."""
     strict: bool = False

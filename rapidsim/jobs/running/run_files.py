@@ -175,8 +175,9 @@ def prepared(loaded: LoadedJob) -> PreparedRun:
     if not loaded.tasks:
         raise ProgramRejectedError(loaded.diagnostics)
     job = loaded.job
-    for name, program in loaded.programs.items():
-        require_entry(program, job.entry(name))
+    if not job.request.may_be_empty:
+        for name, program in loaded.programs.items():
+            require_entry(program, job.entry(name))
     bare = task_setups(loaded.tasks, job.station, loaded.robot, job.open_robot)
     setups = tuple(replace(setup, entry=job.entry(setup.name)) for setup in bare)
     home, ramdisk = _home(job.request.home, job.request.paths), job.request.ramdisk

@@ -7,6 +7,7 @@ from typing import Protocol
 
 from aiohttp import web
 
+from rapidsim.server.http.bodies import RequestLocation
 from rapidsim.server.messages import Answer, ErrorAnswer, Reply
 
 
@@ -69,27 +70,35 @@ class Dialect(Protocol):
         ...
 
 
-def base(request: web.Request) -> str:
+def root_of(request: web.Request) -> str:
     """Return the root of the address that a client has requested."""
     return f"{request.scheme}://{request.host}/"
+
+
+def location_of(request: web.Request) -> RequestLocation:
+    """Return the addresses of a request; the choice of a representation is not part of them."""
+    query = [one for one in request.query_string.split("&") if one and one != "json=1"]
+    return RequestLocation(root_of(request), request.path.strip("/"), "&".join(query))
 
 
 def represent(
     request: web.Request,
     reply: Reply,
-    body: Callable[[Answer, str], str],
+    body: Callable[[Answer, RequestLocation], str],
     refusal: Callable[[ErrorAnswer, str], str],
     content_type: str,
 ) -> web.Response:
     """Return a reply in a representation, with its writers of answers and errors."""
-    if isinstance(reply, ErrorAnswer):
-        text = refusal(reply, base(request))
-    elif reply.content is not None:
-        return web.Response(body=reply.content, content_type="application/octet-stream")
-    elif reply.status == 204:
-        return web.Response(status=204)
-    else:
-        text = body(reply, base(request))
     # The whole header is compared by a public client: no charset.
     headers = {"Content-Type": content_type}
+    if isinstance(reply, ErrorAnswer):
+        text = refusal(reply, root_of(request))
+        return web.Response(status=reply.status, body=text.encode(), headers=headers)
+    if reply.content is not None:
+        return web.Response(body=reply.content, content_type="application/octet-stream")
+    if reply.status == 204:
+        return web.Response(status=204)
+    if reply.location:
+        headers["Location"] = reply.location
+    text = body(reply, location_of(request))
     return web.Response(status=reply.status, body=text.encode(), headers=headers)

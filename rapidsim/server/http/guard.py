@@ -1,8 +1,8 @@
 """Protection against requests of web pages through browsers on the same computer.
 
 A page of another site can make a browser send requests to this server, and a name that resolves to
-this computer (DNS rebinding) makes them look local. Both are revealed by the headers Host and
-Origin, which a page cannot choose.
+this computer (DNS rebinding) makes them look local. Both are revealed by the headers Host, Origin
+and Sec-Fetch-Site, which a page cannot choose.
 """
 
 from __future__ import annotations
@@ -19,15 +19,37 @@ class Guard:
 
     host: str
     """Host that the server listens on."""
+    hosts: frozenset[str] = frozenset()
+    """Further names of this server, in lower case."""
+    origins: frozenset[str] = frozenset()
+    """Origins of pages of others that may use it, in lower case."""
 
-    def admits(self, headers: Mapping[str, str]) -> bool:
-        """Whether a request addresses this server and is not sent by a page of another site."""
+    def objection(self, method: str, path: str, headers: Mapping[str, str]) -> str | None:
+        """Return why a request is refused: another server's name, or a page of another site.
+
+        Such pages may only link to the operator page.
+        """
         host = headers.get("Host", "").lower()
         name = _name(host)
-        if name not in ("localhost", self.host.lower()) and not _is_address(name):
-            return False
+        known = ("localhost", self.host.lower(), *self.hosts)
+        if name not in known and not _is_address(name):
+            return "this server has another name; `--allow-host NAME` gives it more"
+        if self.allows(headers.get("Origin")):
+            return None
         origin = headers.get("Origin")
-        return origin is None or origin.lower() in (f"http://{host}", f"https://{host}")
+        is_link = method == "GET" and path.rstrip("/") == "/ui"
+        is_own = headers.get("Sec-Fetch-Site", "none") in ("none", "same-origin")
+        if origin is None:
+            is_admitted = is_link or is_own
+        else:
+            is_admitted = origin.lower() in (f"http://{host}", f"https://{host}")
+        return (
+            None if is_admitted else "pages of others are refused; `--allow-origin URL` admits one"
+        )
+
+    def allows(self, origin: str | None) -> bool:
+        """Whether pages of another origin may use this server and read its answers."""
+        return origin is not None and origin.lower() in self.origins
 
 
 def is_loopback(host: str) -> bool:

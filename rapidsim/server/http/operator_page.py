@@ -14,6 +14,7 @@ from typing import Final, TypeAlias
 
 from aiohttp import web
 
+from rapidsim.server.http.request_reading import read_form
 from rapidsim.server.messages import ErrorAnswer, Inquiry, ReadState, Reply, Request
 
 _FOLDER: Final = Path(__file__).with_name("shipped")
@@ -60,7 +61,7 @@ async def serve_operator_page(
             task, module = (request.query.get(name, "") for name in ("task", "module"))
             return _replied(await move_request(ReadState(task, module)))
         case "POST", "do":
-            form = {key: str(value) for key, value in (await request.post()).items()}
+            form = await read_form(request)
             path, action = form.pop("path", ""), form.pop("action", "")
             return _replied(
                 await move_request(Request("POST", path, {"action": action}, form, session))

@@ -15,7 +15,7 @@ from rapidsim.server.http.bodies import (
     xhtml_body,
     xhtml_refusal,
 )
-from rapidsim.server.http.dialect import Users, base, represent
+from rapidsim.server.http.dialect import Users, represent, root_of
 from rapidsim.server.messages import ErrorAnswer, Reply
 
 
@@ -41,11 +41,11 @@ class Rws1Dialect:
 
     def file_refused(self, request: web.Request, refusal: ErrorAnswer) -> web.Response:
         """Return XHTML for any requested representation, as controllers do."""
-        body = xhtml_refusal(refusal, base(request))
-        return web.Response(status=refusal.status, text=body, content_type=XHTML)
+        return represent(request, refusal, xhtml_body, xhtml_refusal, XHTML)
 
     def subscribed(self, request: web.Request, group: int) -> web.Response:
         """Return XHTML for any requested representation."""
         link = f"ws://{request.host}/poll/{group}"
-        body = subscribed(group, link, base(request))
-        return web.Response(status=201, headers={"Location": link}, text=body, content_type=XHTML)
+        body = subscribed(group, link, root_of(request))
+        headers = {"Location": link, "Content-Type": XHTML}
+        return web.Response(status=201, headers=headers, body=body.encode())

@@ -20,7 +20,7 @@ from rapidsim.server.http.bodies import (
     subscribed,
     xhtml_body,
 )
-from rapidsim.server.http.dialect import Users, base, represent
+from rapidsim.server.http.dialect import Users, represent, root_of
 from rapidsim.server.messages import ErrorAnswer, Reply
 
 _HAL: Final = "application/hal+json"
@@ -64,13 +64,12 @@ class Rws2Dialect:
         """Return JSON labelled as HTML if a file is missing, as controllers do."""
         if refusal.status != HTTPStatus.NOT_FOUND:
             return self.represent(request, refusal)
-        body = hal_refusal(refusal, base(request))
-        return web.Response(status=refusal.status, text=body, content_type="text/html")
+        return represent(request, refusal, hal_body, hal_refusal, "text/html")
 
     def subscribed(self, request: web.Request, group: int) -> web.Response:
         """Return both addresses: that of the websocket and that of the group."""
         link = f"wss://{request.host}/poll/{group}"
-        body = subscribed(group, link, base(request))
+        body = subscribed(group, link, root_of(request))
         headers = {"Location": link, "Content-Type": f"{_XHTML};v=2.0"}
         return web.Response(status=201, headers=headers, body=body.encode())
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import secrets
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field
 from itertools import count
 from time import monotonic
@@ -19,8 +19,14 @@ class Session:
 
     number: int
     user: str
+    scheme: str
+    """Its cookies count only here: in `http` others may have read them, in `https` not."""
     cookies: Mapping[str, str]
     used_s: float
+
+    def cookie_keys(self) -> Iterator[tuple[str, str, str]]:
+        """Scheme, name and value of each cookie."""
+        return ((self.scheme, *pair) for pair in self.cookies.items())
 
 
 @dataclass(slots=True)
@@ -34,7 +40,7 @@ class Sessions:
     ended: Callable[[int], None]
     """Called with the number of each session that ends."""
     now_s: Callable[[], float] = monotonic
-    _by_cookie: dict[tuple[str, str], Session] = field(default_factory=dict)
+    _by_cookie: dict[tuple[str, str, str], Session] = field(default_factory=dict)
     _live: dict[int, Session] = field(default_factory=dict)
     _numbers: count[int] = field(default_factory=lambda: count(1))
 
@@ -42,7 +48,7 @@ class Sessions:
         """Number of sessions."""
         return len(self._live)
 
-    def begin(self, user: str) -> Session | None:
+    def begin(self, user: str, scheme: str) -> Session | None:
         """Begin a session; None if there are too many."""
         self._drop_idle()
         if len(self._live) >= self.most:
@@ -52,17 +58,17 @@ class Sessions:
             HTTP_SESSION: f"{number}::http.session::{secrets.token_hex(16)}",
             NUMBER: str(secrets.randbits(62)),
         }
-        session = Session(number, user, cookies, self.now_s())
+        session = Session(number, user, scheme, cookies, self.now_s())
         self._live[number] = session
-        for pair in cookies.items():
-            self._by_cookie[pair] = session
+        for key in session.cookie_keys():
+            self._by_cookie[key] = session
         return session
 
-    def find(self, cookies: Mapping[str, str]) -> Session | None:
+    def find(self, cookies: Mapping[str, str], scheme: str) -> Session | None:
         """Return the session of a request, by any of its cookies; None if no session has them."""
         self._drop_idle()
         for pair in cookies.items():
-            session = self._by_cookie.get(pair)
+            session = self._by_cookie.get((scheme, *pair))
             if session is not None:
                 session.used_s = self.now_s()
                 return session
@@ -71,8 +77,8 @@ class Sessions:
     def end(self, session: Session) -> None:
         """End a session."""
         if self._live.pop(session.number, None) is not None:
-            for pair in session.cookies.items():
-                self._by_cookie.pop(pair, None)
+            for key in session.cookie_keys():
+                self._by_cookie.pop(key, None)
             self.ended(session.number)
 
     def _drop_idle(self) -> None:

@@ -15,10 +15,14 @@ BAD_STATE: Final = (400, -1073442809)
 HELD_BY_ANOTHER: Final = (403, -1073445862)
 NOT_HELD: Final = (403, -1073445859)
 NOT_ALLOWED: Final = (403, -1073445867)
+NO_WRITE_ACCESS: Final = (403, -1073435873)
+WRITE_ACCESS_TAKEN: Final = (403, -1073435870)
+GONE: Final = (410, -1073414146)
 READ_ONLY: Final = (403, -1073445881)
 
 # Codes of RobotWare 7 for "not found" and "no such symbol" of 6.16.
 LATER_NO_SYMBOL: Final = (404, -1073442816)
+LATER_NO_TASK: Final = (404, -1073445879)
 LATER_NO_MODULE: Final = (400, -1073442813)
 LATER_NO_FILE: Final = (404, -1073438713)
 LATER_NO_VOLUME: Final = (400, -1073438716)
@@ -49,6 +53,7 @@ def refused(
 _OF_SECOND: Final = {
     **_OF,
     RefusalReason.NO_MODULE: LATER_NO_MODULE,
+    RefusalReason.NO_TASK: LATER_NO_TASK,
     RefusalReason.NO_SYMBOL: LATER_NO_SYMBOL,
 }
 """Codes of RobotWare 7 by reason."""

@@ -6,7 +6,7 @@ import re
 from collections.abc import Mapping, Sequence
 from typing import Final
 
-from rapidsim.server.messages import DONE, Answer, Item, Request
+from rapidsim.server.messages import DONE, NOTHING, Answer, Item, Request
 from rapidsim.server.resources.codes import BAD_PARAMETER, NOT_FOUND, refused
 from rapidsim.server.resources.context import RequestContext
 
@@ -19,7 +19,7 @@ def domains(context: RequestContext, request: Request) -> Answer:
     del request
     names = context.live.cell.parameters.domains
     items = (Item("cfg-domain-li", one, href=f"rw/cfg/{one}") for one in names)
-    return Answer(tuple(items))
+    return Answer(resources=tuple(items))
 
 
 def types(context: RequestContext, request: Request, domain: str) -> Answer:
@@ -29,7 +29,8 @@ def types(context: RequestContext, request: Request, domain: str) -> Answer:
     if not names:
         raise refused(NOT_FOUND, f"the configuration has no domain {domain}")
     name = domain.upper()
-    return Answer(tuple(Item("cfg-dt-li", one, href=f"rw/cfg/{name}/{one}") for one in names))
+    items = (Item("cfg-dt-li", one, href=f"rw/cfg/{name}/{one}") for one in names)
+    return Answer(resources=tuple(items))
 
 
 def type_(context: RequestContext, request: Request, domain: str, of: str) -> Answer:
@@ -41,16 +42,17 @@ def type_(context: RequestContext, request: Request, domain: str, of: str) -> An
 
 def instances(context: RequestContext, request: Request, domain: str, of: str) -> Answer:
     """The instances of a type with their attributes."""
-    del request
     found = _instances(context, domain, of)
-    return Answer(tuple(_item(domain, of, n, one, "-li") for n, one in enumerate(found)))
+    items = (_item(request, domain, of, n, one, "-li") for n, one in enumerate(found))
+    return Answer(resources=tuple(items))
 
 
 def instance(context: RequestContext, request: Request, domain: str, of: str, name: str) -> Answer:
-    """One instance."""
-    del request
+    """One instance, in RobotWare 7 as an element of their list."""
     number, found = _instance(context, domain, of, name)
-    return Answer((_item(domain, of, number, found, ""),))
+    if request.generation == 2:
+        return Answer(resources=(_item(request, domain, of, number, found, "-li"),))
+    return Answer((_item(request, domain, of, number, found, ""),))
 
 
 def change(context: RequestContext, request: Request, domain: str, of: str, name: str) -> Answer:
@@ -95,12 +97,18 @@ def _name(number: int, record: Mapping[str, str]) -> str:
     return record.get("name") or str(number)
 
 
-def _item(domain: str, of: str, number: int, record: Mapping[str, str], suffix: str) -> Item:
+def _item(
+    request: Request, domain: str, of: str, number: int, record: Mapping[str, str], suffix: str
+) -> Item:
     name = _name(number, record)
-    attributes = (Item("cfg-ia-t-li", key, {"value": value}) for key, value in record.items())
+    kind, fields = "cfg-ia-t-li", NOTHING
+    if request.generation == 2:
+        kind, fields = "cfg-ia-t", {"rdonly": "false"}
+    attributes = (Item(kind, key, {"value": value}) for key, value in record.items())
     return Item(
         f"cfg-dt-instance{suffix}",
         name,
+        fields,
         parts=tuple(attributes),
         href=f"rw/cfg/{domain.upper()}/{of.upper()}/instances/{name}",
     )

@@ -2,7 +2,7 @@
 
 `$HOME` is the home folder; the other disks are folders in it with their names, as for a program,
 unless the RAM disk has its own folder. Files outside, by `..`, an absolute path or a link, do not
-exist.
+exist, nor do pipes and devices. What clients write is limited together with what programs write.
 """
 
 from __future__ import annotations
@@ -10,11 +10,14 @@ from __future__ import annotations
 import os
 import shutil
 import tempfile
-from contextlib import suppress
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager, suppress
 from datetime import datetime
 from pathlib import Path
 from typing import Final
 
+from rapidsim.controller.cell.home_folder import CAUTION, DiskLimit
+from rapidsim.language.errors import RapidError
 from rapidsim.server.messages import Answer, Item, RefusedRequest
 from rapidsim.server.resources.codes import (
     BAD_PARAMETER,
@@ -27,6 +30,8 @@ from rapidsim.values import value_class
 
 DISKS: Final = ("HOME", "TEMP", "RAMDISK", "BACKUP")
 """Folders that clients reach by `$NAME`."""
+_UPLOAD: Final = ".upload-"
+"""Prefix of files that are not complete yet."""
 _STAMP = "%Y-%m-%d T %H:%M:%S"
 
 
@@ -35,8 +40,9 @@ class FileService:
     """Access to the files of the disks."""
 
     home: Path
-    ramdisk: Path | None = None
+    ramdisk: Path | None
     """None if it is in the home folder."""
+    limit: DiskLimit
 
     def read(self, address: str) -> bytes | Answer:
         """Return a file's bytes, or the entries of a folder.
@@ -44,27 +50,35 @@ class FileService:
         Raises:
             RefusedRequest: If neither exists.
         """
-        place = self._place(address)
-        try:
+        with _missing_if_refused(address):
+            place = self._place(address)
             if place.is_dir():
-                return Answer(tuple(_item(one) for one in sorted(place.iterdir())))
+                entries = (one for one in sorted(place.iterdir()) if _is_file_or_folder(one))
+                return Answer(resources=tuple(_item(address, one) for one in entries))
             if place in self._roots() and not place.exists():
-                return Answer()  # A folder for programs is made when the first writes into it.
-            return place.read_bytes()
-        except OSError:
-            raise _missing(address) from None
+                return Answer(
+                    resources=()
+                )  # A folder for programs is made when the first writes into it.
+            if not place.is_file():
+                raise _missing(address)
+            return self._content(place)
 
     def write(self, address: str, content: bytes) -> bool:
         """Write a file completely or not at all; return whether it is new.
 
         Raises:
-            RefusedRequest: If it cannot be written.
+            RefusedRequest: If it cannot be written, or the disk is full.
         """
-        place = self._place(address)
-        is_new = not place.exists()
+        with _missing_if_refused(address):
+            place = self._place(address)
+            is_new = not place.exists()
+        if not is_new and not place.is_file():
+            raise refused(BAD_PARAMETER, f"{address} is no file")
         try:
+            old = 0 if is_new else place.stat().st_size
+            self._reserve(place, len(content) - old)
             place.parent.mkdir(parents=True, exist_ok=True)
-            handle, temporary = tempfile.mkstemp(dir=place.parent, prefix=".upload-")
+            handle, temporary = tempfile.mkstemp(dir=place.parent, prefix=_UPLOAD)
             try:
                 with os.fdopen(handle, "wb") as stream:
                     stream.write(content)
@@ -77,50 +91,120 @@ class FileService:
             raise refused(BAD_PARAMETER, f"{address} cannot be written: {error.strerror}") from None
         return is_new
 
+    def is_below_a_disk(self, address: str) -> bool:
+        """Whether an address is inside a disk other than HOME."""
+        disk, _, rest = address.partition("/")
+        name = disk.lstrip("$").rstrip(":").upper()
+        return bool(rest.strip("/")) and name in DISKS and name != "HOME"
+
+    def home_files(self) -> Iterator[tuple[str, bytes]]:
+        """Yield path and content of each file of HOME, but for those of the other disks."""
+        disks = {self._folder(disk) for disk in DISKS} - {self.home}
+        pending = [self.home]
+        while pending:
+            for one in sorted(pending.pop().iterdir()):
+                if not _is_file_or_folder(one) or _leads_away(one.name) or one in disks:
+                    continue
+                if one.is_dir():
+                    pending.append(one)
+                else:
+                    yield one.relative_to(self.home).as_posix(), self._content(one)
+
+    def write_folder(self, address: str, files: Mapping[str, bytes]) -> None:
+        """Write a new folder with files, by their paths in it, completely or not at all.
+
+        Raises:
+            RefusedRequest: If there is such a folder, it cannot be written, or the disk is full.
+        """
+        with _missing_if_refused(address):
+            place = self._place(address)
+            if place.exists():
+                raise refused(BAD_PARAMETER, f"{address} is there already")
+            self._reserve(place, sum(map(len, files.values())))
+            place.parent.mkdir(parents=True, exist_ok=True)
+            temporary = Path(tempfile.mkdtemp(dir=place.parent, prefix=_UPLOAD))
+            try:
+                for name, content in files.items():
+                    self._reserve(temporary / name)
+                    (temporary / name).parent.mkdir(parents=True, exist_ok=True)
+                    (temporary / name).write_bytes(content)
+                temporary.chmod(0o755)
+                temporary.replace(place)
+            except BaseException:
+                shutil.rmtree(temporary, ignore_errors=True)
+                raise
+
     def remove(self, address: str) -> None:
         """Remove a file, or a folder with all its contents.
 
         Raises:
             RefusedRequest: If it does not exist, or is a disk.
         """
-        place = self._place(address)
-        try:
+        with _missing_if_refused(address):
+            place = self._place(address)
             if place in self._roots():
                 raise refused(BAD_PARAMETER, f"{address} cannot be removed")
+            if not _is_file_or_folder(place):
+                raise _missing(address)
+            contents = [place, *place.rglob("*")] if place.is_dir() else [place]
+            sizes = [one.lstat().st_size for one in contents if one.is_file()]
             if place.is_dir():
                 shutil.rmtree(place)
             else:
                 place.unlink()
-        except OSError:
-            raise _missing(address) from None
+            self.limit.release(sum(sizes), len(contents))
 
     def change(self, address: str, action: str, name: str) -> None:
         """Create a folder in a folder, or rename or copy a file within its folder.
 
         Raises:
-            RefusedRequest: If the change is impossible.
+            RefusedRequest: If the change is impossible, or the disk is full.
         """
-        place = self._place(address)
-        if not name or "/" in name:
-            other = place
-        elif action == "create":
-            other = self._place(f"{address}/{name}")
-        else:
-            other = self._place(f"{address.rpartition('/')[0]}/{name}")
-        try:
+        with _missing_if_refused(address):
+            place = self._place(address)
+            if not name or "/" in name:
+                other = place
+            elif action == "create":
+                other = self._place(f"{address}/{name}")
+            else:
+                other = self._place(f"{address.rpartition('/')[0]}/{name}")
             if other == place or other.exists():
                 raise refused(BAD_PARAMETER, f"`{name}` is there already, or no name")
             match action:
                 case "create":
+                    self._reserve(other)
                     other.mkdir(parents=True)
                 case "copy":
-                    shutil.copyfile(place, other)
+                    if not place.is_file():
+                        raise _missing(address)
+                    self._reserve(other, place.stat().st_size)
+                    shutil.copyfile(place, other, follow_symlinks=False)
                 case "rename":
                     place.rename(other)
                 case _:
                     raise refused(BAD_PARAMETER, f"files have no action {action}")
-        except OSError:
-            raise _missing(address) from None
+
+    @staticmethod
+    def _content(place: Path) -> bytes:
+        with os.fdopen(os.open(place, os.O_RDONLY | CAUTION), "rb") as stream:
+            return stream.read()
+
+    def _reserve(self, place: Path, count: int = 0) -> None:
+        """Use more bytes of the disk, for a file or folder that may be new.
+
+        Raises:
+            RefusedRequest: If the disk is full.
+        """
+        try:
+            self.limit.use(max(0, count))
+            self.limit.release(max(0, -count))
+            try:
+                self.limit.make(place)
+            except RapidError:
+                self.limit.release(count)
+                raise
+        except RapidError as error:
+            raise refused(BAD_PARAMETER, error.message) from None
 
     def _roots(self) -> tuple[Path, ...]:
         return (self.home, *(self._folder(disk) for disk in DISKS))
@@ -163,8 +247,25 @@ def path_of_programs(address: str) -> str:
     return f"{name}:/{rest}" if name in DISKS else address
 
 
+def _is_file_or_folder(place: Path) -> bool:
+    return not place.is_symlink() and (place.is_file() or place.is_dir())
+
+
+@contextmanager
+def _missing_if_refused(address: str) -> Iterator[None]:
+    """Answer that a file does not exist if the system gives no access to it, or to such a name.
+
+    Raises:
+        RefusedRequest: For any error of the system.
+    """
+    try:
+        yield
+    except OSError:
+        raise _missing(address) from None
+
+
 def _leads_away(part: str) -> bool:
-    return part in (".", "..") or any(one in part for one in "\\:\0") or part.startswith(".upload-")
+    return part in (".", "..") or any(one in part for one in "\\:\0") or part.startswith(_UPLOAD)
 
 
 def _without_case(folder: Path, name: str) -> Path:
@@ -177,13 +278,14 @@ def _without_case(folder: Path, name: str) -> Path:
     return exact
 
 
-def _item(place: Path) -> Item:
+def _item(folder: str, place: Path) -> Item:
     stat = place.lstat()
     stamp = datetime.fromtimestamp(stat.st_mtime).strftime(_STAMP)
     fields = {"fs-cdate": stamp, "fs-mdate": stamp, "fs-readonly": "false"}
+    href = f"fileservice/{folder}/{place.name}"
     if place.is_dir():
-        return Item("fs-dir", place.name, fields, href=place.name)
-    return Item("fs-file", place.name, {**fields, "fs-size": str(stat.st_size)}, href=place.name)
+        return Item("fs-dir", place.name, fields, href=href)
+    return Item("fs-file", place.name, {**fields, "fs-size": str(stat.st_size)}, href=href)
 
 
 def _missing(address: str) -> RefusedRequest:

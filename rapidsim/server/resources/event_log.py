@@ -5,30 +5,26 @@ from __future__ import annotations
 from rapidsim.server.messages import DONE, Answer, Item, Request
 from rapidsim.server.resources.codes import NOT_FOUND, refused
 from rapidsim.server.resources.context import RequestContext
-from rapidsim.simulation.live.event_log import DOMAINS, LogEntry
+from rapidsim.simulation.live.event_log import DOMAINS, MOST_ENTRIES, LogEntry
 
 
 def domains(context: RequestContext, request: Request) -> Answer:
     """All domains, with the number of entries of each."""
-    del request
-    log = context.live.log
-    items = (
-        Item(
-            "elog-domain-li",
-            f"/rw/elog/{one}",
-            {"elog-domain-name": str(one), "numevts": str(len(list(log.entries(one))))},
-            href=f"rw/elog/{one}",
-        )
-        for one in DOMAINS
-    )
-    return Answer(tuple(items))
+    log, items = context.live.log, []
+    for one in DOMAINS:
+        fields = {"numevts": str(len(list(log.entries(one))))}
+        if request.generation == 2:
+            title, fields["buffsize"] = str(one), str(MOST_ENTRIES)
+        else:
+            title, fields["elog-domain-name"] = f"/rw/elog/{one}", str(one)
+        items.append(Item("elog-domain-li", title, fields, href=f"rw/elog/{one}"))
+    return Answer(resources=tuple(items))
 
 
 def entries(context: RequestContext, request: Request, domain: str) -> Answer:
     """The entries of a domain."""
-    del request
-    found = context.live.log.entries(_domain(domain))
-    return Answer(tuple(entry_item(context, domain, one) for one in found))
+    entries = context.live.log.entries(_domain(domain))
+    return Answer(resources=tuple(_item(context, request, domain, one) for one in entries))
 
 
 def entry(context: RequestContext, request: Request, domain: str, number: str) -> Answer:
@@ -37,10 +33,9 @@ def entry(context: RequestContext, request: Request, domain: str, number: str) -
     Raises:
         RefusedRequest: If no entry has this number.
     """
-    del request
     for one in context.live.log.entries(_domain(domain)):
         if str(one.number) == number:
-            return Answer((entry_item(context, domain, one),))
+            return Answer((_item(context, request, domain, one),))
     raise refused(NOT_FOUND, f"domain {domain} has no entry {number}")
 
 
@@ -58,16 +53,17 @@ def clear_all(context: RequestContext, request: Request) -> Answer:
     return DONE
 
 
-def entry_item(context: RequestContext, domain: str, record: LogEntry) -> Item:
+def _item(context: RequestContext, request: Request, domain: str, record: LogEntry) -> Item:
     """An entry as clients see it."""
     address = f"/rw/elog/{domain}/{record.number}"
-    # Two spaces, as controllers write it; a public client parses exactly this.
-    stamp = context.live.date_at(record.time_s).strftime("%Y-%m-%d T  %H:%M:%S")
+    # Two spaces, as RobotWare 6 writes it; a public client parses exactly this.
+    space = "  " if request.generation == 1 else " "
+    source = {"src-name": "MC0"} if request.generation == 1 else {}
     fields = {
         "msgtype": str(record.type),
         "code": str(record.code),
-        "src-name": "rapidsim",
-        "tstamp": stamp,
+        **source,
+        "tstamp": context.live.date_at(record.time_s).strftime(f"%Y-%m-%d T{space}%H:%M:%S"),
         "title": record.title,
         "desc": record.text,
         "conseqs": "",
@@ -75,7 +71,9 @@ def entry_item(context: RequestContext, domain: str, record: LogEntry) -> Item:
         "actions": "",
         "argc": str(len(record.arguments)),
     }
-    return Item("elog-message-li", address, fields, record.arguments, href=address[1:])
+    language = request.query.get("lang")
+    href = address[1:] if language is None else f"{address[1:]}?lang={language}"
+    return Item("elog-message-li", address, fields, record.arguments, href=href)
 
 
 def _domain(text: str) -> int:

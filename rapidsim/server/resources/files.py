@@ -2,8 +2,31 @@
 
 from __future__ import annotations
 
-from rapidsim.server.messages import DONE, Answer, Request
+from rapidsim.language.controller import DISK_BYTES
+from rapidsim.server.messages import DONE, Answer, Item, Request
 from rapidsim.server.resources.context import RequestContext
+from rapidsim.server.resources.disks import DISKS
+
+
+def disks(context: RequestContext, request: Request) -> Answer:
+    """The disks: RobotWare 7 has them as folders, RobotWare 6 with their space [bytes]."""
+    if request.generation == 2:
+        return Answer(
+            resources=tuple(Item("fs-dir", one, href=f"fileservice/{one}") for one in DISKS)
+        )
+    space = {"fs-total-space": str(DISK_BYTES), "fs-free-space": str(context.files.limit.free)}
+    state = {"fs-enabled": "TRUE", "fs-readonly": "FALSE"}
+    fixed, volatile = ({"fs-device-type": one, **space, **state} for one in ("fixed", "ramdisk"))
+    items = (
+        Item(
+            "fs-device",
+            f"${one}",
+            volatile if one == "RAMDISK" else fixed,
+            href=f"fileservice/${one}",
+        )
+        for one in DISKS
+    )
+    return Answer(resources=tuple(items))
 
 
 def read(context: RequestContext, request: Request, address: str) -> Answer:

@@ -48,7 +48,8 @@ def non_motion_execution(context: RequestContext, request: Request) -> Answer:
 def units(context: RequestContext, request: Request) -> Answer:
     """All robots."""
     del request
-    return Answer(tuple(_unit_item(name, "ms-mechunit-li") for name, _ in _robots(context)))
+    items = (_unit_item(name, "ms-mechunit-li") for name, _ in _robots(context))
+    return Answer(resources=tuple(items))
 
 
 def unit(context: RequestContext, request: Request, unit: str) -> Answer:
@@ -81,14 +82,33 @@ def unit(context: RequestContext, request: Request, unit: str) -> Answer:
     return Answer((item,), links=("jointtarget", "robtarget", "cartesian", "baseframe", "axes"))
 
 
+def of_task(context: RequestContext, request: Request, task: str) -> Answer:
+    """The mechanical unit of a task, or its `jointtarget` or `robtarget` as `resource`.
+
+    Raises:
+        RefusedRequest: If the task moves no robot.
+    """
+    name = context.live.task(task).name
+    for unit, one in _robots(context):
+        if one.name == name:
+            match request.query.get("resource"):
+                case "jointtarget":
+                    return joint_target(context, request, unit)
+                case "robtarget":
+                    return rob_target(context, request, unit)
+                case _:
+                    return Answer((Item("rap-motion", name, {"mechunit": unit}),))
+    raise refused(BAD_PARAMETER, f"{name} moves no robot")
+
+
 def joint_target(context: RequestContext, request: Request, unit: str) -> Answer:
-    """The current positions of the axes of a robot."""
-    del request
+    """The current positions of the axes of a robot; RobotWare 7 has 0 for those it lacks."""
     name, task = _robot(context, unit)
     now = position.joints(task)
     fields = {f"rax_{index}": _text(one) for index, one in enumerate(now.robax, start=1)}
-    axes = zip(LETTERS, now.extax, strict=True)
-    fields |= {f"eax_{letter}": _text(one) for letter, one in axes}
+    for letter, one in zip(LETTERS, now.extax, strict=True):
+        is_absent = one == UNUSED_AXIS and request.generation == 2
+        fields[f"eax_{letter}"] = "0" if is_absent else _text(one)
     return Answer((Item("ms-jointtarget", name, fields),))
 
 
@@ -128,7 +148,7 @@ def axes(context: RequestContext, request: Request, unit: str) -> Answer:
         Item("ms-axis-li", str(number), href=f"{address}/{number}")
         for number in range(1, count + 1)
     )
-    return Answer(tuple(items))
+    return Answer(resources=tuple(items))
 
 
 def base_frame(context: RequestContext, request: Request, unit: str) -> Answer:

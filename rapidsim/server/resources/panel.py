@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import Final
 
 from rapidsim.server.messages import DONE, Answer, Item, Request
@@ -20,8 +21,8 @@ _MODES: Final = {
 
 def state(context: RequestContext, request: Request) -> Answer:
     """The state of the controller."""
-    del request
-    return Answer((state_item(context),))
+    title = "ctrlstate" if request.generation == 1 else "ctrl-state"
+    return Answer((replace(state_item(context), title=title),))
 
 
 def state_item(context: RequestContext) -> Item:
@@ -77,4 +78,4 @@ def set_speed_ratio(context: RequestContext, request: Request) -> Answer:
 def collision_detection(context: RequestContext, request: Request) -> Answer:
     """The state of collision detection, which never triggers here."""
     del context, request
-    return Answer((Item("pnl-coldetstate", "coldetstate", {"coldetstate": "INIT"}),))
+    return Answer((Item("pnl-coldetstate", "collisiondetectstate", {"coldetstate": "INIT"}),))

@@ -81,9 +81,11 @@ def set_cycle(context: RequestContext, request: Request) -> Answer:
 
 
 def tasks(context: RequestContext, request: Request) -> Answer:
-    """All tasks."""
-    del request
-    return Answer(tuple(_task_item(one) for one in context.live.task_states()))
+    """All tasks; in RobotWare 7 the service that watches them comes first."""
+    items = tuple(_task_item(one) for one in context.live.task_states())
+    if request.generation == 2:
+        items = (Item("rap-tasks-spy-li", "spy", href="rw/rapid/tasks/spy"), *items)
+    return Answer(resources=items)
 
 
 def task(context: RequestContext, request: Request, task: str) -> Answer:
@@ -134,7 +136,8 @@ def program(context: RequestContext, request: Request, task: str) -> Answer:
 def modules(context: RequestContext, request: Request, task: str | None = None) -> Answer:
     """The modules of a task."""
     found = context.live.task(task or required_value(request.query, "task"))
-    return Answer(tuple(_module_item(one) for one in program_memory.modules(found)))
+    items = (_module_item(found, one) for one in program_memory.modules(found))
+    return Answer(tuple(items), base="rw/rapid")
 
 
 def module(
@@ -147,15 +150,16 @@ def module(
     """
     if request.query.get("resource") == "module-text":
         return module_text(context, request, module, task)
-    found = _module(context, module, task or required_value(request.query, "task"))
-    return Answer((_module_item(found),), links=("text",) if request.generation == 2 else ())
+    of = context.live.task(task or required_value(request.query, "task"))
+    item = _module_item(of, _module(of, module))
+    return Answer((item,), links=("text",) if request.generation == 2 else ())
 
 
 def module_text(
     context: RequestContext, request: Request, module: str, task: str | None = None
 ) -> Answer:
     """The text of a module, as it was loaded."""
-    found = _module(context, module, task or required_value(request.query, "task"))
+    found = _module(context.live.task(task or required_value(request.query, "task")), module)
     text = text_of(found)
     fields = {"change-count": "0", "module-text": text, "module-length": str(len(text))}
     return Answer((Item("rap-module-text", found.name.text, fields),))
@@ -209,17 +213,17 @@ def _task_item(task_state: TaskState) -> Item:
     return Item("rap-task-li", task_state.name, fields, href=f"rw/rapid/tasks/{task_state.name}")
 
 
-def _module(context: RequestContext, name: str, task: str) -> tree.Module:
-    found = context.live.task(task)
-    for one in program_memory.modules(found):
+def _module(task: LiveTask, name: str) -> tree.Module:
+    for one in program_memory.modules(task):
         if one.name.key == name.lower():
             return one
-    raise refused(NOT_FOUND, f"{found.name} has no module {name}", LATER_NO_MODULE)
+    raise refused(NOT_FOUND, f"{task.name} has no module {name}", LATER_NO_MODULE)
 
 
-def _module_item(one: tree.Module) -> Item:
-    kind = "SysMod" if program_memory.is_system_module(one) else "ProgMod"
-    return Item("rap-module-info-li", one.name.text, {"name": one.name.text, "type": kind})
+def _module_item(task: LiveTask, module: tree.Module) -> Item:
+    kind = "SysMod" if program_memory.is_system_module(module) else "ProgMod"
+    name = module.name.text
+    return Item("rap-module-info-li", f"{task.name}/{name}", {"name": name, "type": kind})
 
 
 def _module_at(found: LiveTask) -> str:

@@ -8,7 +8,7 @@ from typing import Final
 from rapidsim.controller.cell.message_queues import MOST_MESSAGES
 from rapidsim.language.error_numbers import ERR_RMQ_INVALID
 from rapidsim.language.errors import RapidError
-from rapidsim.language.messages import NO_USER_DEF, Message
+from rapidsim.language.messages import NO_USER_DEF, Message, MessageKind
 from rapidsim.server.messages import DONE, Answer, Item, Request
 from rapidsim.server.resources.codes import BAD_PARAMETER, NOT_FOUND, refused
 from rapidsim.server.resources.context import RequestContext, count, number, required_value
@@ -18,14 +18,18 @@ COMMAND: Final = "111"
 KIND: Final = "1"
 _TYPE: Final = re.compile(r"\s*([A-Za-z]\w{0,31})\s*;(.*)", re.DOTALL)
 _MOST_QUEUES: Final = 50
+"""Largest number of queues of one session."""
 _MOST_MESSAGES: Final = 10_000
 
 
 def queues(context: RequestContext, request: Request) -> Answer:
-    """The queues of clients."""
+    """The queues of all clients: others may send to them."""
     del request
-    items = (Item("dipc-queue-li", name, {"dipc-queue-name": name}) for name in context.queues)
-    return Answer(tuple(items))
+    items = (
+        Item("dipc-queue-li", name, {"dipc-queue-name": name}, href=f"rw/dipc/{name}")
+        for name in context.queues
+    )
+    return Answer(resources=tuple(items))
 
 
 def create(context: RequestContext, request: Request) -> Answer:
@@ -36,7 +40,8 @@ def create(context: RequestContext, request: Request) -> Answer:
     """
     name = required_value(request.form, "dipc-queue-name")
     there = context.live.cell.messages.find(name) is not None
-    if there or not name or len(context.queues) >= _MOST_QUEUES:
+    count_of_client = list(context.owners.values()).count(request.session)
+    if there or not name or count_of_client >= _MOST_QUEUES:
         raise refused(BAD_PARAMETER, f"the queue {name} is there already, or there are too many")
     most = min(max(1, count(request.form, "dipc-queue-size", MOST_MESSAGES)), _MOST_MESSAGES)
     context.queues[name] = context.live.cell.messages.connect(name, most)
@@ -50,25 +55,28 @@ def send(context: RequestContext, request: Request, queue: str) -> Answer:
     Raises:
         RefusedRequest: If there is no such queue, or it does not accept the message.
     """
-    form, messages = request.form, context.live.cell.messages
+    form, live = request.form, context.live
+    messages = live.cell.messages
     found = messages.find(queue, is_external=True)
     found = found or messages.find(f"RMQ_{queue}", is_external=True)
     if found is None:
         raise refused(NOT_FOUND, f"there is no queue {queue}")
-    matched = _TYPE.fullmatch(required_value(form, "dipc-data"))
-    if matched is None:
-        raise refused(BAD_PARAMETER, "`dipc-data` is a type and a value: `num;5`")
+    data = required_value(form, "dipc-data")
     user = number(form, "dipc-userdef") if "dipc-userdef" in form else NO_USER_DEF
-    sender = context.queues.get(form.get("dipc-src-queue-name", ""))
-    text = matched[2].strip()
-    kind = kind_of(matched[1], text, context.live.tasks.values())
-    message = Message(kind, text, sender, user)
+    sender = context.queue_of(form.get("dipc-src-queue-name", ""), request.session)
+    if found.name in context.queues:
+        message = Message(MessageKind(""), data, sender, user)
+    elif (matched := _TYPE.fullmatch(data)) is not None:
+        text = matched[2].strip()
+        message = Message(kind_of(matched[1], text, live.tasks.values()), text, sender, user)
+    else:
+        raise refused(BAD_PARAMETER, "`dipc-data` for a task is a type and a value: `num;5`")
     try:
-        found.put(message, context.live.now_s)
+        found.put(message, live.now_s)
     except RapidError as error:
         why = NOT_FOUND if error.errno == ERR_RMQ_INVALID else BAD_PARAMETER
         raise refused(why, error.message) from None
-    context.live.wake_programs()
+    live.wake_programs()
     return DONE
 
 
@@ -78,9 +86,9 @@ def read(context: RequestContext, request: Request, queue: str) -> Answer:
     Raises:
         RefusedRequest: If the client has no such queue.
     """
-    found = context.queues.get(queue)
+    found = context.queue_of(queue, request.session)
     if found is None:
-        raise refused(NOT_FOUND, f"there is no queue {queue}")
+        raise refused(NOT_FOUND, f"the client has no queue {queue}")
     # RobotWare 6 returns all of them at once, RobotWare 7 one.
     count = len(found.messages) if request.generation == 1 else 1
     kind = "dipc-read-li" if request.generation == 1 else "dipc-read"
@@ -95,9 +103,8 @@ def queue(context: RequestContext, request: Request, queue: str) -> Answer:
     Raises:
         RefusedRequest: If the client has no such queue.
     """
-    del request
-    if queue not in context.queues:
-        raise refused(NOT_FOUND, f"there is no queue {queue}")
+    if context.queue_of(queue, request.session) is None:
+        raise refused(NOT_FOUND, f"the client has no queue {queue}")
     return Answer((Item("dipc-queue-li", queue, {"dipc-queue-name": queue}),))
 
 

@@ -26,7 +26,7 @@ def signals(context: RequestContext, request: Request) -> Answer:
     shown = tuple(signal_item(context, one, places) for one in found[first : first + most])
     is_last = request.generation == 1 or not most or first + most >= len(found)
     following = "" if is_last else f"rw/iosystem/signals?start={first + most}&limit={most}"
-    return Answer(shown, following=following)
+    return Answer(resources=shown, following=following)
 
 
 def search(context: RequestContext, request: Request) -> Answer:
@@ -35,7 +35,7 @@ def search(context: RequestContext, request: Request) -> Answer:
     kind = request.form.get("type", "").lower()
     places = SignalAddresses(context)
     return Answer(
-        tuple(
+        resources=tuple(
             signal_item(context, one, places)
             for one in live_signals.declared(context.live)
             if part in one.name.lower() and kind in ("", one.kind.value)
@@ -101,7 +101,7 @@ def networks(context: RequestContext, request: Request) -> Answer:
         Item("ios-network-li", one, {"name": one, **fields}, href=f"rw/iosystem/networks/{one}")
         for one in io_addresses.networks(context)
     )
-    return Answer(tuple(items))
+    return Answer(resources=tuple(items))
 
 
 def devices(context: RequestContext, request: Request) -> Answer:
@@ -120,7 +120,7 @@ def devices(context: RequestContext, request: Request) -> Answer:
             }
             title = f"{network}/{name}"
             items.append(Item("ios-device-li", title, fields, href=f"rw/iosystem/devices/{title}"))
-    return Answer(tuple(items))
+    return Answer(resources=tuple(items))
 
 
 def signal_item(

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
 from typing import Final
 
 from rapidsim.analysis.program import Storage
+from rapidsim.language.name_pattern import NamePattern, PatternError
 from rapidsim.server.messages import DONE, Answer, Item, Request
 from rapidsim.server.resources.codes import BAD_PARAMETER, LATER_NO_SYMBOL, NO_SYMBOL, refused
 from rapidsim.server.resources.context import RequestContext, required_value
@@ -47,10 +47,10 @@ def set_value(context: RequestContext, request: Request, symbol: str) -> Answer:
 
 
 def properties(context: RequestContext, request: Request, symbol: str) -> Answer:
-    """The properties of data: storage class and type."""
-    del request
+    """The properties of data: storage class and type; in RobotWare 7 they stand in a list."""
     task, datum = _find(context, symbol)
-    return Answer((_properties_item(task, datum, ""),))
+    items = (_properties_item(task, datum, ""),)
+    return Answer(items) if request.generation == 1 else Answer(resources=items)
 
 
 def search(context: RequestContext, request: Request) -> Answer:
@@ -58,24 +58,24 @@ def search(context: RequestContext, request: Request) -> Answer:
     form = request.form
     _, _, address = form.get("blockurl", "RAPID").partition("/")
     task_name, _, module = address.partition("/")
-    try:
-        pattern = re.compile(form.get("regexp") or ".*", re.IGNORECASE)
-    except re.error:
-        raise refused(BAD_PARAMETER, "`regexp` is no regular expression") from None
     live = context.live
     tasks = [live.task(task_name)] if task_name else list(live.tasks.values())
     storage, type_ = form.get("symtyp", "any").lower(), form.get("dattyp", "").lower()
-    return Answer(
-        tuple(
-            _properties_item(task, datum, "-li")
-            for task in tasks
-            for datum in symbols.all_data(task)
-            if storage in ("any", "", _STORAGES[datum.storage])
-            and type_ in ("", datum.type_name.lower())
-            and module.lower() in ("", (datum.module or "").lower())
-            and pattern.fullmatch(datum.name)
+    try:
+        pattern = NamePattern(form.get("regexp") or ".*")
+        return Answer(
+            resources=tuple(
+                _properties_item(task, datum, "-li")
+                for task in tasks
+                for datum in symbols.all_data(task)
+                if storage in ("any", "", _STORAGES[datum.storage])
+                and type_ in ("", datum.type_name.lower())
+                and module.lower() in ("", (datum.module or "").lower())
+                and pattern.matches(datum.name)
+            )
         )
-    )
+    except PatternError as error:
+        raise refused(BAD_PARAMETER, f"`regexp` is no regular expression: {error}") from None
 
 
 def validate(context: RequestContext, request: Request) -> Answer:

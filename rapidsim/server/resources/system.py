@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from datetime import datetime
 from typing import Final
 
 from rapidsim import __version__
+from rapidsim.server.derived_parameters import robots
 from rapidsim.server.messages import DONE, Answer, Item, Request
 from rapidsim.server.resources.codes import (
     BAD_PARAMETER,
@@ -17,14 +19,17 @@ from rapidsim.server.resources.codes import (
 from rapidsim.server.resources.context import MASTERSHIPS, RequestContext, count
 from rapidsim.server.resources.disks import DISKS
 
-ROBOTWARE: Final = "6.16.2027"
-ROBOTWARE_NAME: Final = "6.16.02.00"
+_OPTIONS: Final = "rw/system/options"
 
 
 def controller(context: RequestContext, request: Request) -> Answer:
-    """The identity of the controller."""
+    """The identity of the controller; a virtual one has neither number nor address."""
     del context, request
-    fields = {"ctrl-type": "Virtual Controller", "ctrl-name": "rapidsim"}
+    fields = {
+        "ctrl-type": "Virtual Controller",
+        "ctrl-name": "rapidsim",
+        "ctrl-level": "System Level",
+    }
     return Answer((Item("ctrl-identity-info", "identity", fields),), links=("identity", "clock"))
 
 
@@ -60,34 +65,61 @@ def disk(context: RequestContext, request: Request, name: str) -> Answer:
 
 def system(context: RequestContext, request: Request) -> Answer:
     """Name, version and options."""
-    started = context.live.cell.starts_at.strftime("%Y-%m-%d T %H:%M:%S")
-    del request
+    version = context.versions[request.generation]
     fields = {
         "name": f"rapidsim {__version__}",
-        "rwversion": ROBOTWARE,
-        "rwversionname": ROBOTWARE_NAME,
+        "rwversion": version.text,
         "sysid": "{00000000-0000-0000-0000-000000000000}",
-        "starttm": started,
+        "starttm": context.live.cell.starts_at.strftime("%Y-%m-%d T %H:%M:%S"),
     }
-    return Answer((Item("sys-system-li", "system", fields), *_options(context)), links=("options",))
+    if request.generation == 1:
+        item = Item("sys-system-li", "system", {**fields, "rwversionname": version.name})
+        kind = "sys-option-li"
+    else:
+        numbers = {
+            "major": str(version.robotware.major),
+            "minor": str(version.robotware.minor),
+        }
+        item, kind = Item("sys-system", "system", {**numbers, **fields}), "sys-options"
+    listed = Item("sys-options-li", "options", parts=_options(context, kind), href=_OPTIONS)
+    return Answer((item,), (listed,), links=("options", "robottype", "license"))
 
 
 def options(context: RequestContext, request: Request) -> Answer:
     """The options of the system."""
+    items = _options(context, "sys-option-li")
+    if request.generation == 2:
+        return Answer(items)
+    return Answer((Item("sys-options-li", "options", parts=items, href=_OPTIONS),))
+
+
+def robot_type(context: RequestContext, request: Request) -> Answer:
+    """The type of the first robot; no content if there is none."""
     del request
-    return Answer(_options(context))
+    for _, setup in robots(context.live.setups):
+        assert setup.robot is not None
+        return Answer((Item("sys-robottype", "robottype", {"robot-type": setup.robot.name}),))
+    return DONE
+
+
+def license_(context: RequestContext, request: Request) -> Answer:
+    """The licence of the system, which a virtual controller does not need."""
+    del context, request
+    return Answer((Item("sys-license", "license", {"license": "Virtual Controller"}),))
 
 
 def mastership(context: RequestContext, request: Request) -> Answer:
     """Which session holds the mastership of each domain."""
     names = MASTERSHIPS if request.generation == 1 else _SECOND_NAMES
     items = tuple(_domain_item(context, request, one) for one in names)
-    return Answer(items, links=("request", "release") if request.generation == 2 else ())
+    links = ("request", "release") if request.generation == 2 else ()
+    return Answer(resources=items, links=links)
 
 
 def mastership_of(context: RequestContext, request: Request, domain: str) -> Answer:
     """Which session holds the mastership of a domain."""
-    return Answer((_domain_item(context, request, domain.lower()),))
+    item = _domain_item(context, request, domain.lower())
+    return Answer((replace(item, kind="msh-resource", href=""),))
 
 
 def take_mastership(context: RequestContext, request: Request, domain: str | None = None) -> Answer:
@@ -172,13 +204,12 @@ def _domain_item(context: RequestContext, request: Request, domain: str) -> Item
     return Item("msh-resource-li", domain, {"mastership": held}, href=f"rw/mastership/{domain}")
 
 
-def _options(context: RequestContext) -> tuple[Item, ...]:
-    found = context.live.cell.parameters.instances("SYS", "PRESENT_OPTIONS") or ()
-    parts = tuple(
-        Item("sys-option-li", str(number), {"option": one.get("desc") or one.get("name", "")})
-        for number, one in enumerate(found)
+def _options(context: RequestContext, kind: str) -> tuple[Item, ...]:
+    options = context.live.cell.parameters.instances("SYS", "PRESENT_OPTIONS") or ()
+    return tuple(
+        Item(kind, str(number), {"option": one.get("desc") or one.get("name", "")})
+        for number, one in enumerate(options)
     )
-    return (Item("sys-options-li", "options", parts=parts),)
 
 
 def for_administrators(context: RequestContext, request: Request) -> Answer:

@@ -11,14 +11,18 @@ from typing import Final
 
 from rapidsim.server.messages import Answer, Request
 from rapidsim.server.resources import (
+    backups,
     configuration,
+    control_stations,
     event_log,
     files,
+    hardware,
     motion,
     panel,
     programs,
     questions,
     queues,
+    return_codes,
     signals,
     symbols,
     system,
@@ -44,8 +48,16 @@ _BOTH: Final = (
     Route("GET", "ctrl/clock", system.clock),
     Route("PUT", "ctrl/clock", system.set_clock),
     Route("GET", "ctrl/${name}", system.disk),
+    Route("GET", "ctrl/backup", backups.information),
+    Route("GET", "progress", backups.operations),
+    Route("GET", "progress/{number}", backups.operation),
     Route("GET", "rw/system", system.system),
     Route("GET", "rw/system/options", system.options),
+    Route("GET", "rw/system/robottype", system.robot_type),
+    Route("GET", "rw/system/license", system.license_),
+    Route("GET", "rw/retcode", return_codes.return_codes),
+    Route("GET", "rw/devices", hardware.groups),
+    Route("GET", "rw/devices/{name}", hardware.group),
     Route("GET", "rw/panel/opmode", panel.mode),
     Route("GET", "rw/panel/speedratio", panel.speed_ratio),
     Route("POST", "rw/panel/speedratio", panel.set_speed_ratio, "setspeedratio"),
@@ -55,6 +67,7 @@ _BOTH: Final = (
     Route("GET", _TASK, programs.task),
     Route("GET", f"{_TASK}/pcp", programs.pointers),
     Route("GET", f"{_TASK}/program", programs.program),
+    Route("GET", f"{_TASK}/motion", motion.of_task),
     Route("GET", _ACTIVE, questions.active),
     Route("GET", "rw/iosystem/signals", signals.signals),
     *(Route("GET", one, signals.signal) for one in _SIGNAL),
@@ -79,6 +92,7 @@ _BOTH: Final = (
     Route("GET", _INSTANCES, configuration.instances),
     Route("GET", f"{_INSTANCES}/{{name}}", configuration.instance),
     Route("GET", "rw/dipc", queues.queues),
+    Route("GET", "fileservice", files.disks),
     Route("GET", _FILE, files.read),
     Route("PUT", _FILE, files.write),
     Route("DELETE", _FILE, files.remove),
@@ -93,6 +107,8 @@ _BOTH: Final = (
 )
 
 _FIRST: Final = (
+    Route("GET", "ctrl/backup", backups.state, "backupstate"),
+    Route("POST", "ctrl/backup", backups.create, "backup"),
     Route("GET", "rw/panel/ctrlstate", panel.state),
     Route("POST", "rw/panel/ctrlstate", panel.set_state, "setctrlstate"),
     Route("POST", "rw/panel/opmode", panel.set_mode, "setopmode"),
@@ -140,6 +156,8 @@ _FIRST: Final = (
 )
 
 _SECOND: Final = (
+    Route("GET", "ctrl/backup/state", backups.state),
+    Route("POST", "ctrl/backup/create", backups.create),
     Route("GET", "rw/panel/ctrl-state", panel.state),
     Route("POST", "rw/panel/ctrl-state", panel.set_state),
     Route("POST", "rw/panel/opmode", panel.set_mode),
@@ -188,8 +206,58 @@ _SECOND: Final = (
     Route("POST", "rw/_istream/streamdisconnect", system.nothing_to_end),
 )
 
-ROUTES: Final[Mapping[int, tuple[Route, ...]]] = {1: (*_FIRST, *_BOTH), 2: (*_SECOND, *_BOTH)}
-"""Routes by generation; if several match an address, the first counts."""
+_STATION: Final = "rw/controlstation"
+_ACCESS: Final = f"{_STATION}/writeaccess"
+_MASTERSHIP: Final = ("rw/mastership", "rw/mastership/{rest...}")
+_EIGHTH: Final = (
+    *(
+        Route(method, one, control_stations.no_mastership)
+        for one in _MASTERSHIP
+        for method in ("GET", "POST")
+    ),
+    Route("POST", f"{_STATION}/register/remote", control_stations.register),
+    Route("POST", f"{_ACCESS}/request", control_stations.request_access),
+    Route("POST", f"{_ACCESS}/release", control_stations.release_access),
+    Route("POST", f"{_ACCESS}/release/appeal", control_stations.appeal),
+    Route("GET", f"{_ACCESS}/release/appeal/changecount", control_stations.appeals),
+    Route("GET", f"{_ACCESS}/status", control_stations.access_status),
+    Route("GET", f"{_STATION}/type", control_stations.type_),
+    Route("GET", f"{_STATION}/id", control_stations.identity),
+    *(
+        Route("GET", f"{_STATION}/{path}", control_stations.constant(kind, title, name, value))
+        for path, kind, title, name, value in (
+            (
+                "local/isconnected",
+                "controlstation-local-connected",
+                "isconnected",
+                "control-station-local-isconnected",
+                "false",
+            ),
+            # So spelt by controllers.
+            (
+                "allowmotioncontrol",
+                "controstation-allow-motion-control",
+                "allowmotioncontrol",
+                "is-enabled",
+                "true",
+            ),
+            (
+                "tpu/safety/protocol/status",
+                "controlstation-tpu-safety-protocol-status",
+                "status",
+                "is-connected",
+                "false",
+            ),
+        )
+    ),
+)
+
+ROUTES: Final[Mapping[int, tuple[Route, ...]]] = {
+    6: (*_FIRST, *_BOTH),
+    7: (*_SECOND, *_BOTH),
+    8: (*_EIGHTH, *_SECOND, *_BOTH),
+}
+"""Routes by version of RobotWare; if several match an address, the first counts."""
 
 
 def answered(context: RequestContext, request: Request) -> Answer:
@@ -199,7 +267,8 @@ def answered(context: RequestContext, request: Request) -> Answer:
         RefusedRequest: If there is no such resource or action, or it is refused.
     """
     parts = [part for part in request.path.split("/") if part]
-    routes = ROUTES[request.generation]
+    version = 6 if request.generation == 1 else 7
+    routes = ROUTES[8 if version == 7 and context.has_control_stations else version]
     there = False
     for route in routes:
         places = route.matched(parts)

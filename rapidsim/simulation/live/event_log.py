@@ -19,7 +19,7 @@ from rapidsim.library.text import MAX_STRING
 from rapidsim.simulation.live.states import Motors, OperatingMode
 from rapidsim.values import value_class
 
-KEPT: Final = 1000
+MOST_ENTRIES: Final = 1000
 """Number of entries kept in a domain, as on a controller."""
 COMMON: Final = 0
 """The domain that shows the entries of all others."""
@@ -130,7 +130,7 @@ class EventLog:
         self._last += 1
         entry = LogEntry(self._last, domain, type_, code, time_s, title, text, arguments)
         for one in (COMMON, domain):
-            self._entries.setdefault(one, deque(maxlen=KEPT)).append(entry)
+            self._entries.setdefault(one, deque(maxlen=MOST_ENTRIES)).append(entry)
         self._notify(entry)
 
 

@@ -3,9 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
 
+from rapidsim.analysis.literals import Value
 from rapidsim.analysis.program import DataSymbol, Scope, Storage
 from rapidsim.interpreter.runtime.memory import module_data
+from rapidsim.interpreter.tools.assignments import with_part
+from rapidsim.interpreter.tools.inspection import NotShownError, follow_steps, name_and_steps
 from rapidsim.language.errors import RapidError
 from rapidsim.language.initial_values import initial_value
 from rapidsim.language.symbols import DataName
@@ -29,6 +33,8 @@ class TaskDatum:
     module: str | None = None
     """None for predefined data."""
     symbol: DataSymbol | None = None
+    steps: str = ""
+    """Indices and components of a part of the data: `{2}.trans`; `type` is that of the part."""
 
     @property
     def dimensions(self) -> tuple[int, ...]:
@@ -45,12 +51,30 @@ class TaskDatum:
         return (self.type.element if isinstance(self.type, ArrayOf) else self.type).name
 
 
-def find(task: LiveTask, name: str, module: str | None = None) -> TaskDatum:
-    """Return data by name, in any case.
+def find(task: LiveTask, path: str, module: str | None = None) -> TaskDatum:
+    """Return data, or a part of them such as `a{2}.trans`, by name in any case.
 
     Raises:
-        RequestRefused: If no data have this name.
+        RequestRefused: If no data have this name, or they have no such part.
     """
+    name, steps = name_and_steps(path) or (path, "")
+    whole = _find_whole(task, name, module)
+    if not steps:
+        return whole
+    try:
+        _, _, of = follow_steps(steps, value_of(task, whole), whole.type, _index)
+    except NotShownError as error:
+        raise RequestRefused(RefusalReason.NO_SYMBOL, str(error)) from None
+    return replace(whole, name=f"{whole.name}{steps.strip()}", type=of, steps=steps)
+
+
+def _index(text: str) -> int:
+    if not (text.isascii() and text.isdecimal() and len(text) < 10):
+        raise NotShownError(f"`{text}` is not an index")
+    return int(text)
+
+
+def _find_whole(task: LiveTask, name: str, module: str | None) -> TaskDatum:
     if task.task is None:
         raise RequestRefused(
             RefusalReason.NO_SYMBOL, f"the data of {task.name} could not be initialised"
@@ -86,9 +110,20 @@ def read(task: LiveTask, datum: TaskDatum) -> str:
 
 def value_of(task: LiveTask, datum: TaskDatum) -> object:
     """Return a copy of the current value."""
+    return _part(task, datum)[1]
+
+
+def _part(task: LiveTask, datum: TaskDatum) -> tuple[tuple[int, ...], Value]:
+    """Return the positions of a part in the data, none for all of them, and its value."""
     assert task.task is not None
     symbol = datum.symbol
-    return task.task.value(datum.name) if symbol is None else task.task.value_of(symbol)
+    name, _ = name_and_steps(datum.name) or (datum.name, "")
+    value: Value = task.task.value(name) if symbol is None else task.task.value_of(symbol)
+    if not datum.steps:
+        return (), value
+    of = DATA[name.lower()].type if symbol is None else symbol.type
+    parts, part, _ = follow_steps(datum.steps, value, of, _index)
+    return parts, part
 
 
 def write(task: LiveTask, datum: TaskDatum, text: str) -> None:
@@ -100,12 +135,15 @@ def write(task: LiveTask, datum: TaskDatum, text: str) -> None:
     assert task.task is not None
     if datum.storage is Storage.CONST or datum.symbol is None or datum.module is None:
         raise RequestRefused(RefusalReason.READ_ONLY, f"{datum.name} cannot be written")
-    value = parsed_value(text, datum.type, task.task.value_of(datum.symbol))
+    parts, old = _part(task, datum)
+    value = parsed_value(text, datum.type, old)
     if value is None:
         raise RequestRefused(RefusalReason.VALUE, f"`{text}` is no {datum.type.name}")
-    where = DataName(datum.name, datum.module)
+    symbol = datum.symbol
+    whole = with_part(task.task.value_of(symbol), parts, value)
+    where = DataName(symbol.name, datum.module)
     try:
-        task.run.controller.concerns.symbols.write(datum.name, datum.type, where, value)
+        task.run.controller.concerns.symbols.write(symbol.name, symbol.type, where, whole)
     except RapidError as error:
         raise RequestRefused(RefusalReason.VALUE, error.message) from None
 

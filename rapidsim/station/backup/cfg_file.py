@@ -24,6 +24,8 @@ Configuration: TypeAlias = Mapping[str, Sequence[Instance]]
 SWITCHED_ON = "true"
 
 _CONTINUED = re.compile(r"\\\s*\n\s*")
+_UNQUOTED = re.compile(r'["\r\n]')
+"""Characters that no value can have."""
 _TYPE = re.compile(r"([A-Z]\w*):", re.IGNORECASE)
 _ATTRIBUTE = re.compile(r'-([A-Za-z]\w*)(?:\s+(?:"([^"]*)"|(?!-[A-Za-z])(\S+)))?')
 
@@ -39,6 +41,20 @@ def read_configuration(text: str) -> Configuration:
         elif line.startswith("-"):
             instances.append(_instance(line))
     return found
+
+
+def configuration_text(domain: str, types: Configuration) -> str:
+    """Return the text of a file with the instances of each type of a domain."""
+    parts = [f"{domain}:CFG_1.0:6:1::\n"]
+    for of, instances in types.items():
+        parts.append(f"#\n{of}:\n")
+        for instance in instances:
+            attributes = (
+                f"-{name}" if value == SWITCHED_ON else f'-{name} "{_UNQUOTED.sub(" ", value)}"'
+                for name, value in instance.items()
+            )
+            parts.append(f"\n      {' '.join(attributes)}\n")
+    return "".join(parts)
 
 
 def _instance(line: str) -> Instance:

@@ -69,6 +69,17 @@ def catalogue_name(type_name: str) -> str | None:
     return next((found[family] for family in families if family in found), None)
 
 
+def arm_type(name: str) -> str:
+    """Return a type that means an arm of the catalogue; the name itself if none does."""
+    parts = _NAME.fullmatch(name)
+    if parts is None:
+        return name
+    family, model, payload, reach, side = parts.groups()
+    words = ["ROB1", side[0].upper() if side else "", "CRB" if family == "crb" else "", model]
+    found = "_".join(word for word in (*words, reach, payload) if word)
+    return found if catalogue_name(found) == name else name
+
+
 def _figure(word: str) -> float | None:
     """Return a number of a type; `05` is 0.5."""
     if re.fullmatch(r"0\d+", word):

@@ -1,0 +1,107 @@
+"""Requests of clients as messages to the engine.
+
+Everything that a client has sent is decoded here, so that one boundary separates what is wrong with
+a request, an answer of 4xx, from what is wrong with rapidsim.
+"""
+
+from __future__ import annotations
+
+import asyncio
+from collections.abc import Iterator
+from contextlib import contextmanager
+from typing import Final
+from urllib.parse import parse_qsl, unquote
+
+from aiohttp import web
+
+from rapidsim.server.messages import Request
+
+MOST_BYTES: Final = 64 * 2**20
+"""Largest file [bytes] that a client may send."""
+MOST_FORM_BYTES: Final = 2**20
+"""Largest form [bytes]."""
+_MOST_FIELDS: Final = 5000
+_PAUSE_S: Final = 10.0
+"""Longest time [s] without a byte of a body that is not complete."""
+_FORMS: Final = ("", "application/x-www-form-urlencoded")
+
+
+@contextmanager
+def decoding() -> Iterator[None]:
+    """Convert every error to an answer of 400, but for the loss of the connection.
+
+    Raises:
+        web.HTTPException: If the request cannot be read.
+    """
+    try:
+        yield
+    except (web.HTTPException, ConnectionError):
+        raise
+    except TimeoutError:
+        raise web.HTTPRequestTimeout(text="the request has not ended\n") from None
+    except Exception:
+        raise web.HTTPBadRequest(text="the request cannot be read\n") from None
+
+
+def path_of(request: web.Request) -> str:
+    """Return the decoded path, without slashes at its ends."""
+    with decoding():
+        return unquote(request.rel_url.raw_path).strip("/")
+
+
+async def read_form(request: web.Request) -> dict[str, str]:
+    """Return the fields of a form; of several with one name, the last.
+
+    Raises:
+        web.HTTPException: If it cannot be read.
+    """
+    with decoding():
+        body = await _read_body(request, MOST_FORM_BYTES)
+        if request.content_type not in _FORMS and "Content-Type" in request.headers:
+            return {}
+        charset = request.charset or "utf-8"
+        text = body.rstrip().decode(charset)
+        return dict(
+            parse_qsl(text, keep_blank_values=True, encoding=charset, max_num_fields=_MOST_FIELDS)
+        )
+
+
+async def read_request(
+    request: web.Request, path: str, session: int, generation: int, *, is_file: bool
+) -> Request:
+    """Return a request as a message to the engine.
+
+    Args:
+        request: Request of a client.
+        path: Its decoded path.
+        session: Number of the client's session.
+        generation: Generation of Robot Web Services: 1 or 2.
+        is_file: Whether the body is a file, not a form.
+
+    Raises:
+        web.HTTPException: If it cannot be read.
+    """
+    content, form = b"", dict[str, str]()
+    with decoding():
+        if is_file:
+            content = await _read_body(request, MOST_BYTES)
+        else:
+            form = await read_form(request)
+        query = dict(request.query)
+    return Request(request.method, f"/{path}", query, form, session, generation, content)
+
+
+async def _read_body(request: web.Request, most: int) -> bytes:
+    parts, size = list[bytes](), request.content_length or 0
+    if size <= most:
+        size = 0
+        while True:
+            async with asyncio.timeout(_PAUSE_S):
+                part = await request.content.readany()
+            if not part:
+                return b"".join(parts)
+            parts.append(part)
+            size += len(part)
+            if size > most:
+                break
+    raise web.HTTPRequestEntityTooLarge(max_size=most, actual_size=size)

@@ -1,0 +1,366 @@
+"""Answers have the statuses, codes, keys, places of lists, bases and types that were recorded.
+
+The recordings, refusals of RobotWare 6.16 and 7.21, bodies of 7.21 and of 6.16, results of a real
+IRC5, are published with clients of Robot Web Services; only their shapes are here.
+"""
+
+from __future__ import annotations
+
+import re
+from base64 import b64encode
+from pathlib import Path
+from typing import Any, NamedTuple
+
+import aiohttp
+from served_controller import Served, serve
+
+CELL = {
+    "RAPID/TASK1/PROGMOD/MainModule.mod": "MODULE MainModule\n  PERS num k := 0;\n  PROC main()\n"
+    "    WaitTime 9;\n  ENDPROC\nENDMODULE\n",
+    "RAPID/TASK1/SYSMOD/BASE.sys": "MODULE BASE(SYSMODULE)\nENDMODULE\n",
+    "SYSPAR/EIO.cfg": """EIO:CFG_1.0:6:1::
+#
+INDUSTRIAL_NETWORK:
+
+      -Name "Net"
+#
+NET_DEVICE:
+
+      -Name "Dev" -Address "12"
+#
+EIO_SIGNAL:
+
+      -Name "doGripper" -SignalType "DO" -Device "Dev" -Access "All"
+
+      -Name "ES1" -SignalType "DO" -Device "Dev" -Access "ReadOnly"
+
+      -Name "TEST_DO_RWS" -SignalType "DO" -Access "All"
+""",
+}
+JSON, XHTML = "application/json", "application/xhtml+xml"
+HAL, XHTML_2 = "application/hal+json;v=2.0", "application/xhtml+xml;v=2.0"
+FORM_2 = "application/x-www-form-urlencoded;v=2.0"
+START = "regain=continue&execmode=continue&cycle=forever&condition=none&alltaskbytsp=false"
+JOG = "jog-data=0,0,0,0,0,0&ccount=1&inc-mode=Small&token=1"
+
+
+class Refused(NamedTuple):
+    """A recorded refusal."""
+
+    method: str
+    path: str
+    status: int
+    code: int
+    body: str = ""
+    held: bool = False
+    """Whether another session holds the mastership."""
+
+
+FIRST = (
+    Refused(
+        "POST", "rw/cfg/EIO/EIO_SIGNAL/instances/ES1?action=set", 400, -1073445879, "Access=All"
+    ),
+    Refused("POST", "rw/motionsystem/mechunits/ROB_1?action=jog", 400, -1073445879, JOG),
+    Refused("POST", "rw/rapid/tasks/T_ROB1?action=loadmod", 400, -1073438708),
+    Refused("POST", "rw/rapid/tasks/T_ROB1?action=unloadmod", 400, -1073442816, "module=No"),
+    Refused("POST", "rw/mastership/rapid?action=request", 403, -1073445862, held=True),
+    Refused("POST", "rw/iosystem/signals/ES1?action=set", 403, -1073445881, "lvalue=1"),
+    Refused("GET", "rw/rapid/tasks/T_ROB1/modules/NoSuchModule", 404, -1073414146),
+    Refused("GET", "rw/iosystem/signals/NoSuchNet/NoSuchDev/NoSuchSig", 404, -1073445866),
+    Refused("GET", "rw/rapid/symbol/data/RAPID/T_ROB1/NoMod/noSym", 400, -1073414146),
+    Refused("GET", "rw/rapid/uiinstr/active", 404, -1073414146),
+    # In this state of the table's last row, programs execute.
+    Refused("POST", "rw/rapid/execution?action=start", 400, -1073442809, START),
+)
+SECOND = (
+    Refused("GET", "fileservice/NOVOL:/NO_SUCH", 400, -1073438716),
+    Refused("GET", "rw/rapid/tasks/T_ROB1/modules/NoSuchModule", 400, -1073442813),
+    Refused("GET", "rw/rapid/tasks/NO_SUCH_TASK/modules", 404, -1073445879),
+    Refused("POST", "rw/rapid/execution/start", 403, -1073445862, START, held=True),
+    Refused("POST", "rw/mastership/edit/request", 403, -1073445862, held=True),
+    Refused("POST", "rw/iosystem/signals/Net/Dev/ES1/set-value", 403, -1073445881, "lvalue=1"),
+    Refused("POST", "rw/panel/speedratio?action=setspeedratio", 403, -1073445859, "speed-ratio=9"),
+    Refused("GET", "uas/ldap/enabled", 403, -1073445867),
+    Refused("GET", "rw/iosystem/signals/NoSuchNet/NoSuchDev/NoSuchSig", 404, -1073445866),
+    Refused("GET", "rw/rapid/symbol/RAPID/T_ROB1/BASE/no_such_var/data", 404, -1073442816),
+)
+
+TEXT = "text"
+SIGNAL = {"name": TEXT, "type": TEXT, "category": TEXT, "lvalue": TEXT, "lstate": TEXT}
+DONE = {"code": 294912}
+
+
+def _itself(href: str) -> dict[str, Any]:
+    return {"_links": {"self": {"href": href}}}
+
+
+def _links(base: str, itself: str = "") -> dict[str, Any]:
+    return {"base": {"href": f"ROOT{base}"}, "self": {"href": itself}}
+
+
+def _signal(title: str) -> dict[str, Any]:
+    return {
+        **_itself(f"signals/{title}"),
+        "_type": "ios-signal-li",
+        "_title": title,
+        **SIGNAL,
+    }
+
+
+def _listed(path: str, kind: str, *titles: str) -> dict[str, Any]:
+    """A list of resources whose items have other fields than were recorded."""
+    items = [{**_itself(one), "_type": kind, "_title": one} for one in titles]
+    return {"_links": _links(f"{path}/"), "_embedded": {"resources": items}}
+
+
+BODIES: dict[str, dict[str, Any]] = {
+    "rw/panel/ctrl-state": {
+        "_links": _links("rw/panel/ctrl-state/"),
+        "status": DONE,
+        "state": [{"_type": "pnl-ctrlstate", "_title": "ctrl-state", "ctrlstate": TEXT}],
+    },
+    "rw/rapid/tasks": {
+        "_links": _links("rw/rapid/", "tasks"),
+        "_embedded": {
+            "resources": [
+                {**_itself("tasks/spy"), "_type": "rap-tasks-spy-li", "_title": "spy"},
+                {
+                    **_itself("tasks/T_ROB1"),
+                    "_type": "rap-task-li",
+                    "_title": "T_ROB1",
+                    **dict.fromkeys(
+                        ("name", "type", "taskstate", "excstate", "active", "motiontask"), TEXT
+                    ),
+                },
+            ]
+        },
+    },
+    "rw/rapid/tasks/T_ROB1/modules": {
+        "_links": _links("rw/rapid/", "tasks/T_ROB1/modules"),
+        "status": DONE,
+        "state": [
+            {"_type": "rap-module-info-li", "_title": f"T_ROB1/{one}", "name": TEXT, "type": TEXT}
+            for one in ("BASE", "MainModule")
+        ],
+    },
+    "rw/motionsystem/mechunits/ROB_1/jointtarget": {
+        "_links": _links("rw/motionsystem/mechunits/ROB_1/jointtarget/"),
+        "status": DONE,
+        "state": [
+            {
+                "_type": "ms-jointtarget",
+                "_title": "ROB_1",
+                **{f"rax_{number}": TEXT for number in range(1, 7)},
+                **{f"eax_{letter}": "0" for letter in "abcdef"},
+            }
+        ],
+    },
+    "rw/iosystem/signals?start=0&limit=2": {
+        "_links": {
+            **_links("rw/iosystem/", "signals?start=0&amp;limit=2"),
+            "next": {"href": "signals?start=2&amp;limit=2"},
+        },
+        "_embedded": {"resources": [_signal("Net/Dev/doGripper"), _signal("Net/Dev/ES1")]},
+    },
+    "rw/elog/0?lang=en": {
+        "_links": _links("rw/elog/", "0?lang=en"),
+        "_embedded": {
+            "resources": [
+                {
+                    **_itself("0/1?lang=en"),
+                    "_type": "elog-message-li",
+                    "_title": "/rw/elog/0/1",
+                    **dict.fromkeys(("msgtype", "code"), TEXT),
+                    "tstamp": "9999-99-99 T 99:99:99",
+                    **dict.fromkeys(("title", "desc", "conseqs", "causes", "actions"), TEXT),
+                    "argc": TEXT,
+                }
+            ]
+        },
+    },
+    "rw/system": {
+        "_links": _links("rw/system/"),
+        "state": [
+            {
+                "_type": "sys-system",
+                "_title": "system",
+                **dict.fromkeys(("major", "minor", "name", "rwversion", "sysid"), TEXT),
+                "starttm": "9999-99-99 T 99:99:99",
+            }
+        ],
+        "_embedded": {
+            "resources": [
+                {
+                    **_itself("options"),
+                    "_type": "sys-options-li",
+                    "_title": "options",
+                    "options": [{"_type": "sys-options", "_title": "0", "option": TEXT}],
+                }
+            ]
+        },
+    },
+    "fileservice": _listed("fileservice", "fs-dir", "HOME", "TEMP", "RAMDISK", "BACKUP"),
+    "rw/cfg/EIO/EIO_SIGNAL/instances/ES1": {
+        "_links": _links("rw/cfg/", "EIO/EIO_SIGNAL/instances/ES1"),
+        "_embedded": {
+            "resources": [
+                {
+                    **_itself("EIO/EIO_SIGNAL/instances/ES1"),
+                    "_type": "cfg-dt-instance-li",
+                    "_title": "ES1",
+                    "rdonly": TEXT,
+                    "attrib": [
+                        {"_type": "cfg-ia-t", "_title": one, "value": TEXT}
+                        for one in ("Name", "SignalType", "Device", "Access")
+                    ],
+                }
+            ]
+        },
+    },
+}
+"""Bodies of RobotWare 7."""
+PAGES = {
+    "rw/iosystem/signals": ("rw/iosystem/", "signals/Net/Dev/doGripper"),
+    "rw/iosystem/networks": ("rw/iosystem/", "networks/Net"),
+    "rw/iosystem/devices": ("rw/iosystem/", "devices/Net/Dev"),
+    "rw/elog/0?lang=en": ("rw/elog/", "0/1?lang=en"),
+    "fileservice/$HOME": ("fileservice/%24HOME/", "user.sys"),
+}
+"""Bases of RobotWare 6, and an address that is relative to each."""
+
+
+def _shape(body: Any, root: str) -> Any:
+    """A body whose texts are replaced by what they are, but for addresses, classes and titles."""
+    if isinstance(body, list):
+        return [_shape(one, root) for one in body]
+    if not isinstance(body, dict):
+        return body
+    shown = {}
+    for key, value in body.items():
+        if key in ("_type", "_title") or key.startswith("eax") or not isinstance(value, str):
+            shown[key] = _shape(value, root)
+        elif key == "href":
+            shown[key] = value.replace(root, "ROOT")
+        else:
+            stamp = re.sub(r"\d", "9", value)
+            shown[key] = stamp if stamp.startswith("9999-") else TEXT
+    return shown
+
+
+async def _refusal(
+    served: Served, client: aiohttp.ClientSession, row: Refused, content: str, base: str
+) -> None:
+    """Send a request that is refused, in one representation."""
+    url = f"{base}/{row.path}"
+    headers = {"Accept": content}
+    if content == JSON:
+        url += "&json=1" if "?" in url else "?json=1"
+    if row.method != "GET":
+        plain = "application/x-www-form-urlencoded"
+        headers["Content-Type"] = FORM_2 if "v=2.0" in content else plain
+    body = row.body.encode()
+    async with client.request(row.method, url, data=body, headers=headers) as answer:
+        text = await answer.text()
+        found = (answer.status, answer.headers["Content-Type"], str(row.code) in text)
+        # The root stands alone: nothing is relative to a refused address.
+        has_root = f'"{base}/"' in text
+        assert (*found, has_root) == (row.status, content, True, True), (row, text)
+
+
+def test_recorded_answers(tmp_path: Path) -> None:
+    for name, text in CELL.items():
+        (tmp_path / "cell" / name).parent.mkdir(parents=True, exist_ok=True)
+        (tmp_path / "cell" / name).write_text(text)
+    (tmp_path / "home").mkdir()
+    (tmp_path / "home" / "user.sys").write_text("")
+    login = {"Authorization": "Basic " + b64encode(b"Admin:robotics").decode()}
+
+    async def use(served: Served) -> None:
+        other = await served.second_client()
+        for action in ("start", "stop"):  # Which the event log has.
+            await other.post(f"rw/rapid/execution?action={action}")
+        jar = aiohttp.CookieJar(unsafe=True)
+        async with aiohttp.ClientSession(headers=login, cookie_jar=jar) as second:
+            await _bodies(served, second)
+            for row in SECOND:
+                if row.held:
+                    assert (await other.post("rw/mastership?action=request"))[0] == 204
+                for content in (HAL, XHTML_2):
+                    await _refusal(served, second, row, content, served.second)
+                await other.post("rw/mastership?action=release")
+            missing = f"{served.second}/fileservice/HOME/no-such-file-xyz.modx"
+            async with second.get(missing, headers={"Accept": HAL}) as answer:
+                status = (await answer.json(content_type=None))["status"]
+                shown = answer.status, answer.headers["Content-Type"], status["code"]
+                assert shown == (404, "text/html", -1073438713)
+        await _pages(served)
+        await other.post("rw/rapid/execution?action=start", cycle="forever")
+        for row in FIRST:
+            if row.path == FIRST[2].path:
+                # What is loaded or unloaded waits for programs to stop.
+                await other.post("rw/rapid/execution?action=stop")
+            if row is FIRST[-1]:
+                await other.post("rw/rapid/execution?action=start", cycle="forever")
+            if row.held:
+                assert (await other.post("rw/mastership?action=request"))[0] == 204
+            for content in (JSON, XHTML):
+                await _refusal(served, served.client, row, content, served.base)
+            await other.post("rw/mastership?action=release")
+        # Refusals of files are XHTML, whatever was asked for.
+        none = Refused("GET", "fileservice/$HOME/no-such-file-xyz.mod?json=1", 404, -1073414146)
+        await _refusal(served, served.client, none, XHTML, served.base)
+        await other.client.close()
+
+    serve(tmp_path, None, use)
+
+
+async def _bodies(served: Served, client: aiohttp.ClientSession) -> None:
+    for path, expected in BODIES.items():
+        async with client.get(f"{served.second}/{path}", headers={"Accept": HAL}) as answer:
+            assert (answer.status, answer.headers["Content-Type"]) == (200, HAL)
+            body = _shape(await answer.json(content_type=None), f"{served.second}/")
+        if "state" in body:
+            body["state"].sort(key=lambda one: one["_title"])
+        if path == "rw/system":
+            # Links to what else is there follow.
+            del body["_embedded"]["resources"][1:]
+        if path.startswith("rw/elog"):
+            del body["_embedded"]["resources"][:-1]
+        assert body == expected, path
+        assert list(body) == list(expected), path
+
+
+async def _pages(served: Served) -> None:
+    for path, (base, href) in PAGES.items():
+        async with served.client.get(f"{served.base}/{path}") as answer:
+            text = await answer.text()
+        assert f'<base href="{served.base}/{base}"/>' in text, path
+        assert f'<a href="{href}" rel="self"/>' in text, path
+    (system, options) = await served.get("rw/system")
+    assert (system["_type"], options["_type"]) == ("sys-system-li", "sys-options-li")
+    assert options["options"][0]["_type"] == "sys-option-li"
+    assert system.keys() >= {"name", "rwversion", "sysid", "starttm", "rwversionname"}
+    for path, kind, names in (
+        ("rw/system/robottype", "sys-robottype", {"robot-type"}),
+        ("rw/system/license", "sys-license", {"license"}),
+        ("rw/retcode?code=-1073445859", "err-desc", {"name", "code", "severity", "description"}),
+        ("rw/rapid/tasks/T_ROB1/motion", "rap-motion", {"mechunit"}),
+        ("rw/rapid/tasks/T_ROB1/motion?resource=jointtarget", "ms-jointtarget", {"rax_1"}),
+        ("rw/rapid/tasks/T_ROB1/motion?resource=robtarget", "ms-robtargets", {"q1"}),
+        ("ctrl/identity", "ctrl-identity-info", {"ctrl-name", "ctrl-type", "ctrl-level"}),
+    ):
+        (item,) = await served.get(path)
+        assert item["_type"] == kind
+        assert item.keys() >= names
+    (groups,) = await served.get("rw/devices")
+    assert [one["_title"] for one in groups["devices"]] == ["HW_DEVICES", "SW_RESOURCES"]
+    (units,) = await served.get("rw/devices/HW_DEVICES")
+    assert {one["_type"] for one in units["devices"]} == {"dev-id-li"}
+    assert [one["_title"] for one in units["devices"]] == ["CONTROLLER", "ROB_1"]
+    disks = {one["_title"]: one for one in await served.get("fileservice")}
+    assert disks["$RAMDISK"]["fs-device-type"] == "ramdisk"
+    url = f"{served.base}/rw/iosystem/signals?action=signal-search"
+    async with served.client.post(url, data={"name": "TEST_DO"}) as answer:
+        text = await answer.text()
+    assert f'<base href="{served.base}/rw/iosystem/"/>' in text
+    assert 'href="signals/TEST_DO_RWS"' in text
