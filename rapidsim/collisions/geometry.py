@@ -31,7 +31,7 @@ class Parent:
 
     kind: ParentKind = ParentKind.WORLD
     name: str = ""
-    """Name of the work object, or of the mechanical unit of a positioner."""
+    """Name of the work object, of the mechanical unit of a positioner, or of a body on a tool."""
     link: int = 0
     """Number of joints that move the link; for a positioner the number of its axes, 0 for all."""
     robot: str | None = None
@@ -57,12 +57,16 @@ class CellObject:
 
 @value_class(frozen=True, slots=True, eq=False)
 class Attachment:
-    """A condition on signals under which a robot holds an object on its flange."""
+    """A condition on signals under which a gripper or a clamp holds objects."""
 
     when: str
     """Condition, in the syntax of a station file."""
-    object: str
-    robot: str | None = None
+    objects: tuple[str, ...]
+    """Names of the objects, of which it takes the nearest."""
+    to: Parent
+    """What holds them: a tool, one body of it, or a unit."""
+    reach_m: float
+    """Largest distance [m] of an object that it takes."""
 
 
 @value_class(frozen=True, slots=True)

@@ -77,6 +77,9 @@ class Pair:
     touch_only: bool
     """Whether only contacts are checked, no clearance: for links of one arm, and for a part and the
     body it lies on."""
+    from_s: float = -np.inf
+    until_s: float = np.inf
+    """Interval [s] in which this robot moves them; others are pairs of their own."""
 
 
 @value_class(frozen=True, slots=True, eq=False)

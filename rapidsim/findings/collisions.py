@@ -27,6 +27,27 @@ class NotJudged(Violation, code="C103"):
     subject: str
 
 
+class LeftInTheAir(Violation, code="C105"):
+    part: str
+    time_s: float
+    below: str
+    """What is below it and how far, for the message."""
+
+
+class NothingGripped(Violation, code="C106"):
+    gripper: str
+    time_s: float
+    nearest: str
+    """The nearest part and its distance, for the message."""
+
+
+class PlaceTaken(Violation, code="C107"):
+    part: str
+    taken: str
+    """The part that is there, and the place, for the message."""
+    time_s: float
+
+
 class CollisionNotRun(Violation, code="C104"):
     first: str
     second: str

@@ -5,13 +5,19 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from functools import partial
-from itertools import combinations
+from itertools import combinations, pairwise
 
 import numpy as np
 
 from rapidsim.collisions.body_distance import Bodies
 from rapidsim.collisions.contact import BodyName
-from rapidsim.collisions.geometry import CellGeometry, CellObject, IgnoredPair, ParentKind
+from rapidsim.collisions.geometry import (
+    Attachment,
+    CellGeometry,
+    CellObject,
+    IgnoredPair,
+    ParentKind,
+)
 from rapidsim.collisions.link_shapes import link_shapes
 from rapidsim.collisions.scene import (
     SHORTEST_S,
@@ -26,16 +32,20 @@ from rapidsim.collisions.scene import (
     arm_frames,
 )
 from rapidsim.collisions.self_pairs import judged_pairs
+from rapidsim.collisions.shape import sphere
+from rapidsim.collisions.support import RESTS_M
 from rapidsim.controller.cell.conditions import Condition, read_condition
 from rapidsim.frames.transform import Transform
 from rapidsim.language.data import WobjData
 from rapidsim.motion.configurations.targets import transform
+from rapidsim.simulation.part_courses import Cell, Gripper, PartCourses, Reach, part_courses
+from rapidsim.simulation.results.parts import PartEvent
 from rapidsim.simulation.results.signal_history import Changes, signal_changes
 from rapidsim.simulation.results.simulation import RobotRun, Simulation
 from rapidsim.values import value_class
 
-_LYING_M = 1e-3
-"""Distance within which a part lies on a body when it is picked up or put down."""
+_POINT = sphere(1e-6)
+"""The TCP as a body."""
 _STOPPING_S = 0.5
 """Longest time [s] for which an arm moves after its last command."""
 
@@ -51,6 +61,10 @@ class CellScene:
     """Objects of the station by their number among the bodies."""
     bodies: Bodies
     """Bodies of the scene, laid out for distance computations."""
+    parts: tuple[int, ...]
+    """Numbers of the bodies that grippers take."""
+    events: tuple[PartEvent, ...]
+    """Changes of their carriers."""
 
 
 def cell_scene(simulation: Simulation, geometry: CellGeometry) -> CellScene:
@@ -66,8 +80,11 @@ class _Builder:
         self._bodies: list[Body] = []
         self._objects: dict[int, CellObject] = {}
         self._remarks: list[str] = []
-        self._carriers: dict[int, set[int]] = {}
-        """Robots that carry a body at any time."""
+        self._holders: dict[int, set[int]] = {}
+        """Robots whose grippers may hold a body."""
+        self._grips: set[frozenset[int]] = set()
+        """Bodies of tools, with the parts that they may hold."""
+        self._tools: set[int] = set()
         self._used: set[IgnoredPair] = set()
         self._signals = {
             name.lower(): changes
@@ -87,6 +104,10 @@ class _Builder:
                 self._bodies.append(Body(self._named(name, number), link.shape, (fixed,)))
         for placed in self._geometry.objects:
             self._add_object(placed)
+        bodies = Bodies([*(body.shape.parts for body in self._bodies), _POINT.parts])
+        courses = self._courses(bodies)
+        for number, carried in courses.carried.items():
+            self._bodies[number] = replace(self._bodies[number], carried=carried)
         pairs = tuple(self._pairs(of_links))
         for ignored in self._geometry.ignored:
             if ignored not in self._used:
@@ -94,9 +115,14 @@ class _Builder:
                     f"the station ignores `{ignored.first}` and `{ignored.second}`: no such pair"
                 )
         scene = Scene(self._arms, tuple(self._bodies), pairs)
-        bodies = scene.shapes()
-        remarks = tuple(dict.fromkeys(self._remarks))
-        return CellScene(self._lying(scene, bodies), remarks, self._objects, bodies)
+        return CellScene(
+            self._lying(scene, bodies),
+            tuple(dict.fromkeys(self._remarks)),
+            self._objects,
+            bodies,
+            tuple(sorted(self._holders)),
+            courses.events,
+        )
 
     def _lying(self, scene: Scene, bodies: Bodies) -> Scene:
         """Return the scene with pairs touch-only if one body lies on the other or is put there.
@@ -105,16 +131,16 @@ class _Builder:
         """
         pairs = list(scene.pairs)
         for number, pair in enumerate(pairs):
-            carried = [one for one in (pair.first, pair.second) if self._carriers.get(one)]
+            carried = [one for one in (pair.first, pair.second) if one in self._holders]
             if pair.touch_only or not carried:
                 continue
             times = sorted({one.from_s for body in carried for one in self._bodies[body].carried})
             poses = scene.poses(np.array(times))
             seen = poses.seen(pair.first, pair.second)
             here = np.zeros(len(times), dtype=np.int64)
-            enough = np.full(len(times), _LYING_M)
+            enough = np.full(len(times), RESTS_M)
             gaps = bodies.gaps(here + pair.first, here + pair.second, seen, enough)
-            if gaps.distances_found.min() < _LYING_M:
+            if gaps.distances_found.min() < RESTS_M:
                 pairs[number] = replace(pair, touch_only=True)
         return replace(scene, pairs=tuple(pairs))
 
@@ -140,9 +166,7 @@ class _Builder:
         first = placed[0].frame
         label = BodyName(f"`{item.name}`", None if first.axes else first.robot)
         self._objects[number] = item
-        self._carriers[number] = set()
-        carried = self._carried_about(number, item, placed)
-        self._bodies.append(Body(label, item.shape, carried))
+        self._bodies.append(Body(label, item.shape, placed))
 
     def _placed(self, item: CellObject) -> tuple[AttachedBody, ...]:
         """Return the frames of an object while no robot carries it; empty if they are unknown."""
@@ -214,49 +238,84 @@ class _Builder:
         )
         return ()
 
-    def _carried_about(
-        self, number: int, item: CellObject, placed: tuple[AttachedBody, ...]
-    ) -> tuple[AttachedBody, ...]:
-        """Return the frames of an object, with the times in which robots carry it."""
-        changes: list[tuple[float, int, bool]] = []
-        for attachment in self._geometry.attachments:
-            if attachment.object.lower() != item.name.lower():
-                continue
-            robot = self._robot(attachment.robot, item.name)
-            condition = read_condition(attachment.when)
-            if robot is None:
-                continue
-            for name in condition.signals():
-                if name.lower() not in self._signals:
-                    self._remarks.append(
-                        f"`{item.name}`: nothing sets or declares the signal {name}"
-                    )
-            self._carriers[number].add(robot)
-            changes += [(t, robot, held) for t, held in _truths(condition, self._signals)]
+    def _courses(self, bodies: Bodies) -> PartCourses:
+        """Return what carries each part of the run."""
+        grippers = [*self._grippers()]
+        changes = {time_s for gripper in grippers for time_s, _ in gripper.changes}
         if not changes:
-            return placed
-        if len(placed) > 1:
-            self._remarks.append(f"`{item.name}`: its work object changes while robots carry it")
-        home, found, holder = placed[0], [placed[0]], -1
-        for time_s, robot, held in sorted(changes, key=lambda change: change[0]):
-            if held:
-                frame = SceneFrame(robot, len(self._runs[robot].robot.joints) + 1)
-            elif robot == holder:
-                frame = home.frame
-            else:
-                continue
-            holder = robot if held else -1
-            here = self._frame_at(found[-1].frame, time_s) @ found[-1].frame_from_body
-            found.append(
-                AttachedBody(time_s, frame, self._frame_at(frame, time_s).inverse() @ here)
-            )
-        return tuple(found)
+            return PartCourses({}, ())
+        times = sorted({*changes, self._simulation.motion_end_s})
+        used = {one.frame for body in self._bodies for one in body.carried}
+        used |= {gripper.frame for gripper in grippers}
+        still = Transform(np.tile(np.eye(3), (len(times), 1, 1)), np.zeros((len(times), 3)))
+        frames, tcps = {WORLD: still}, []
+        for number, (arm, run) in enumerate(zip(self._arms, self._runs, strict=True)):
+            frames.update(arm_frames(number, arm, arm.at(np.array(times)), used))
+            base_from_tcp = run.sample(np.array(times)).base_from_tcp
+            tcps.append(frames[SceneFrame(number, 0)] @ base_from_tcp)
+        for number in self._holders:
+            if len(self._bodies[number].carried) > 1:
+                name = self._bodies[number].label.name
+                self._remarks.append(f"{name}: its work object changes while robots carry it")
+        return part_courses(Cell(self._bodies, bodies, frames, tcps), grippers, times)
 
-    def _frame_at(self, frame: SceneFrame, time_s: float) -> Transform:
-        if frame.robot is None:
-            return Transform.identity()
-        arm = self._arms[frame.robot]
-        return arm_frames(frame.robot, arm, arm.at(np.array([time_s])), (frame,))[frame][0]
+    def _grippers(self) -> Iterator[Gripper]:
+        """Yield what takes parts; tables with one condition and one holder are one gripper."""
+        alike: dict[tuple[str, str, int, SceneFrame, int | None], list[Attachment]] = {}
+        for table in self._geometry.attachments:
+            for holder in self._holder(table):
+                alike.setdefault((table.when.lower(), *holder), []).append(table)
+        numbers = {item.name.lower(): number for number, item in self._objects.items()}
+        for (_, name, robot, frame, body), tables in alike.items():
+            condition = read_condition(tables[0].when)
+            reaches = [
+                Reach(
+                    tuple(numbers[one.lower()] for one in table.objects if one.lower() in numbers),
+                    table.reach_m,
+                )
+                for table in tables
+            ]
+            for part in {part for reach in reaches for part in reach.parts}:
+                holders = self._holders.setdefault(part, set())
+                holders |= set() if frame.axes else {robot}
+                if body is not None:
+                    self._grips.add(frozenset({part, body}))
+                    self._tools.add(body)
+                for signal in condition.signals():
+                    if signal.lower() not in self._signals:
+                        label = self._bodies[part].label.name
+                        self._remarks.append(
+                            f"{label}: nothing sets or declares the signal {signal}"
+                        )
+            changes = tuple(_truths(condition, self._signals))
+            yield Gripper(name, robot, frame, body, tuple(reaches), condition.signals(), changes)
+
+    def _holder(self, table: Attachment) -> Iterator[tuple[str, int, SceneFrame, int | None]]:
+        """Yield name, robot, frame and body of what holds objects, if the run has it."""
+        to, owner = table.to, ", ".join(table.objects)
+        if to.kind is ParentKind.UNIT:
+            unit = self._unit(to.name, to.link)
+            if unit is not None and unit.robot is not None:
+                yield f"`{to.name}`", unit.robot, unit, None
+            else:
+                self._remarks.append(f"`{owner}`: no positioner of the run has `{to.name}`")
+            return
+        body = next(
+            (at for at, item in self._objects.items() if item.name.lower() == to.name.lower()), None
+        )
+        task = to.robot
+        if task is None and body is not None:
+            task = self._objects[body].parent.robot
+        robot = self._robot(task, owner)
+        if robot is None:
+            return
+        flange = SceneFrame(robot, len(self._runs[robot].robot.joints) + 1)
+        if not to.name:
+            yield self._named("the gripper", robot).name, robot, flange, None
+        elif body is None:
+            self._remarks.append(f"`{owner}`: `{to.name}`, which holds it, has no position")
+        else:
+            yield f"`{to.name}`", robot, flange, body
 
     def _pairs(self, of_links: Mapping[tuple[int, int], int]) -> Iterator[Pair]:
         """Yield each pair to check once."""
@@ -271,61 +330,69 @@ class _Builder:
                 if (a, b) in own and not self._is_ignored(a, b):
                     yield Pair(a, b, links[a][0], touch_only=True)
                 continue
-            pair = self._pair(a, b, links)
-            if pair is not None and not self._is_ignored(a, b):
-                yield pair
+            if not self._is_ignored(a, b):
+                yield from self._pairs_of(a, b)
 
-    def _pair(self, a: int, b: int, links: Mapping[int, tuple[int, int]]) -> Pair | None:
-        """Pair of an object and a body, or of bodies of two robots; None if it is not checked."""
-        of_a, of_b = self._movers(a), self._movers(b)
-        moving = of_a | of_b
-        if not moving or (self._rests(a) and self._rests(b)):
-            return None
-        holders_a, holders_b = self._carriers.get(a, set()), self._carriers.get(b, set())
-        if len(self._frames(a)) == 1 and self._frames(a) == self._frames(b):
-            # Bodies on one frame never move relative to each other.
-            return None
+    def _pairs_of(self, a: int, b: int) -> Iterator[Pair]:
+        """Yield the pairs of an object and a body, or of bodies of two robots, with their times."""
         fixed_a, fixed_b = self._fixed_to(a), self._fixed_to(b)
         if fixed_a is not None and fixed_b is not None and fixed_a[0] == fixed_b[0]:
             # Tool and last link touch, as all things that are bolted to each other do.
-            if not self._geometry.own_links or abs(fixed_a[1] - fixed_b[1]) <= 2:
-                return None
-            return Pair(a, b, fixed_a[0], touch_only=True)
-        for holders, fixed in ((holders_a, fixed_b), (holders_b, fixed_a)):
-            if holders and fixed is not None and fixed[0] in holders:
-                # Fingers close on the part that they carry.
-                joints = len(self._runs[fixed[0]].robot.joints)
-                if fixed[1] >= joints:
-                    return None
-        first, second = (b, a) if self._rests(a) else (a, b)
-        owner = min(self._movers(first) or moving)
-        return Pair(first, second, owner, touch_only=False)
+            if self._geometry.own_links and abs(fixed_a[1] - fixed_b[1]) > 2:
+                yield Pair(a, b, fixed_a[0], touch_only=True)
+            return
+        if frozenset({a, b}) in self._grips:
+            return
+        for part, fixed in ((a, fixed_b), (b, fixed_a)):
+            if fixed is not None and fixed[0] in self._holders.get(part, ()):
+                # Fingers close on the part that they carry, and a tool is bolted to the wrist.
+                near = 1 if part in self._tools else 0
+                if fixed[1] >= len(self._runs[fixed[0]].robot.joints) - near:
+                    return
+        found: list[Pair] = []
+        for from_s, until_s, frame_a, frame_b in self._intervals(a, b):
+            if frame_a == frame_b or (self._is_still(frame_a) and self._is_still(frame_b)):
+                # Bodies on one frame, or on two that never move, do not approach each other.
+                continue
+            (first, moves), (second, _) = (a, frame_a), (b, frame_b)
+            if self._is_still(frame_a):
+                (first, moves), (second, _) = (b, frame_b), (a, frame_a)
+            assert moves.robot is not None
+            last = found[-1] if found else None
+            if last and (last.first, last.owner, last.until_s) == (first, moves.robot, from_s):
+                found[-1] = replace(last, until_s=until_s)
+            else:
+                found.append(Pair(first, second, moves.robot, False, from_s, until_s))
+        yield from found
+
+    def _intervals(self, a: int, b: int) -> Iterator[tuple[float, float, SceneFrame, SceneFrame]]:
+        """Yield the intervals [s] in which two bodies have the same carriers, with their frames."""
+        first, second = self._bodies[a].carried, self._bodies[b].carried
+        later = {one.from_s for one in (*first[1:], *second[1:])}
+        edges = [-np.inf, *sorted(later), np.inf]
+        for from_s, until_s in pairwise(edges):
+            frames = (
+                next((x.frame for x in reversed(carried) if x.from_s <= from_s), carried[0].frame)
+                for carried in (first, second)
+            )
+            frame_a, frame_b = frames
+            yield from_s, until_s, frame_a, frame_b
+
+    def _is_still(self, frame: SceneFrame) -> bool:
+        """Whether a frame never moves: it is the world, or a base without a track."""
+        return frame.robot is None or (
+            not frame.axes and frame.link == 0 and not self._runs[frame.robot].robot.external
+        )
 
     def _frames(self, body: int) -> set[SceneFrame]:
         """Frames that carry a body at any time."""
         return {one.frame for one in self._bodies[body].carried}
 
-    def _movers(self, body: int) -> set[int]:
-        """Robots that move a body at any time."""
-        return {frame.robot for frame in self._frames(body) if frame.robot is not None}
-
-    def _rests(self, body: int) -> bool:
-        """Whether a body never moves: it is fixed in the world, or is a base without a track."""
-        frames = self._frames(body)
-        return (
-            all(
-                frame.robot is None
-                or (frame.link == 0 and not self._runs[frame.robot].robot.external)
-                for frame in frames
-            )
-            and len(self._bodies[body].carried) == 1
-        )
-
     def _fixed_to(self, body: int) -> tuple[int, int] | None:
         """Robot and link that a body always belongs to; None if robots carry it at times."""
         frames = self._frames(body)
         (frame, *others) = frames
-        if others or frame.robot is None or frame.axes or self._carriers.get(body):
+        if others or frame.robot is None or frame.axes or body in self._holders:
             return None
         return frame.robot, frame.link
 

@@ -13,6 +13,7 @@ from rapidsim.diagnostics import Diagnostic, Related
 from rapidsim.findings.collisions import Collision, LowClearance, NotJudged
 from rapidsim.simulation.cell_scene import cell_scene
 from rapidsim.simulation.results.collisions import Collisions
+from rapidsim.simulation.results.parts import place_of
 from rapidsim.simulation.results.simulation import RobotRun, Simulation
 
 _MM = 1e3
@@ -22,7 +23,9 @@ def with_collisions(simulation: Simulation, geometry: CellGeometry) -> Simulatio
     """Return a run with the contacts and clearances of its bodies."""
     made = cell_scene(simulation, geometry)
     found = search(made.scene, simulation.motion_end_s, made.bodies)
-    collisions = Collisions(geometry, found, made.scene, made.remarks, made.objects)
+    collisions = Collisions(
+        geometry, found, made.scene, made.remarks, made.objects, made.parts, made.events
+    )
     findings = tuple(_findings(simulation, collisions))
     return replace(
         simulation,
@@ -33,29 +36,41 @@ def with_collisions(simulation: Simulation, geometry: CellGeometry) -> Simulatio
 
 def _findings(simulation: Simulation, collisions: Collisions) -> Iterator[Diagnostic]:
     found, robots = collisions.report, simulation.robots
-    groups: dict[tuple[int, int, str], list[Contact]] = {}
-    for contact in found.contacts:
-        if not contact.continued:
-            groups.setdefault((contact.robot, contact.move, contact.second.name), []).append(
-                contact
-            )
-    for first, *later in groups.values():
-        names = list(dict.fromkeys(one.first.name for one in later))
+    faults = [event for event in collisions.part_events if event.violation is not None]
+    for first, *later in collisions.crashes:
+        others = [pair for pair in map(_pair_of, later) if pair != _pair_of(first)]
         violation = Collision(
             first.first.name,
             first.second.name,
             first.time_s,
             _deep((first, *later)),
-            f"; so {'do' if len(names) > 1 else 'does'} {' and '.join(names)}" if names else "",
+            _also(first.second.name, list(dict.fromkeys(others))),
         )
         move = robots[first.robot].move(first.move)
         yield _at(move, violation, tuple(_others(robots, first)))
+    for event in faults:
+        place, fault = place_of(simulation, event), event.violation
+        if fault is not None:
+            span, routine = (None, None) if place is None else (place.span, place.routine)
+            yield Diagnostic(fault, span, routine=routine)
     yield from _near(simulation, found, collisions.geometry.clearance_m)
     remarks = collisions.remarks
     if not found.decided:
         remarks = (*remarks, "some stretches in which bodies slide along each other for long")
     if remarks:
         yield Diagnostic(NotJudged("; ".join(remarks)), None)
+
+
+def _pair_of(contact: Contact) -> tuple[str, str]:
+    return contact.first.name, contact.second.name
+
+
+def _also(second: str, pairs: list[tuple[str, str]]) -> str:
+    """Describe the other pairs of a crash, first those that hit the same body."""
+    alike = [first for first, hit in pairs if hit == second]
+    said = f"; so {'do' if len(alike) > 1 else 'does'} {' and '.join(alike)}" if alike else ""
+    others = [f"{first} hits {hit}" for first, hit in pairs if hit != second]
+    return f"{said}; {' and '.join(others)}" if others else said
 
 
 def _deep(contacts: tuple[Contact, ...]) -> str:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable
 from pathlib import Path
-from typing import Annotated, Literal
+from typing import Annotated
 
 from rapidsim.collisions.geometry import GREY, Colour, IgnoredPair, Parent, ParentKind
 from rapidsim.collisions.shape import Filling
@@ -93,6 +93,21 @@ def _parent(reader: Reader, table: Table, path: str, key: str) -> Parent | None:
     return None
 
 
+def _holder(reader: Reader, table: Table, path: str, key: str) -> Parent | None:
+    text = reader.text(table, path, key)
+    kind, _, name = (part.strip() for part in (text or "").partition(":"))
+    if kind == ParentKind.TOOL:
+        return Parent(ParentKind.TOOL, name=name)
+    if kind == ParentKind.UNIT:
+        return _parent(reader, table, path, key)
+    if text is not None:
+        reader.wrong(
+            f"{path}.{key}",
+            f"`{text}` is none of `tool`, `tool:NAME`, `unit:NAME`, `unit:NAME:AXIS`",
+        )
+    return None
+
+
 def _colour(reader: Reader, table: Table, path: str, key: str) -> Colour | None:
     text = reader.text(table, path, key)
     if text is None:
@@ -159,17 +174,16 @@ class ObjectTable:
 
 @value_class(frozen=True, slots=True)
 class AttachTable:
-    """A table [[attach]]: a condition on signals under which a robot holds an object."""
+    """A table [[attach]]: a condition on signals under which a gripper or a clamp holds objects."""
 
     when: Condition
-    """While it holds, the robot holds the object."""
+    """When it becomes true, the nearest of the objects is taken, and held while it is true."""
     object: str
-    """Name of the object."""
-    to: Annotated[
-        Literal["tool"],
-        OneOf("`{}` is not `tool`; only a tool carries objects", folds_case=False),
-    ]
-    """Carrier of the object."""
+    """Name of the object; `*` stands for any characters."""
+    to: Annotated[Parent, ReadBy(_holder)]
+    """Holder: `tool`, `tool:NAME` for one body of a tool, `unit:NAME` or `unit:NAME:AXIS`."""
+    nearest: NotNegative = 20.0
+    """Largest distance [mm] from the holder of an object that is taken."""
     robot: str | None = None
     """Task or name of the robot; None for the first."""
 

@@ -8,20 +8,22 @@ parent = "world"                           # or "wobj:wobjVice", "link:3", "tool
 
 [[attach]]
 when = "doGrip = 1"
-object = "part"
-to = "tool"
+object = "part"                            # or "part *": the nearest of them
+to = "tool"                                # or "tool:NAME", "unit:STN1"
+nearest = 20                               # mm; what is farther away is not taken
 """
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
+from fnmatch import fnmatchcase
 from pathlib import Path
 
 import numpy as np
 
 from rapidsim.collisions import shape
-from rapidsim.collisions.geometry import Attachment, CellGeometry, CellObject
+from rapidsim.collisions.geometry import Attachment, CellGeometry, CellObject, ParentKind
 from rapidsim.collisions.meshes.read import IN_METRES, read_mesh
 from rapidsim.collisions.shape import Filling, Shape
 from rapidsim.files import InputError, did_you_mean
@@ -55,10 +57,11 @@ def read_geometry(reader: Reader, station: Table) -> CellGeometry:
         if found.name.lower() in objects:
             reader.wrong(f"{path}.name", f"another object is called `{found.name}`")
         objects[found.name.lower()] = found
+    names = [one.name for one in objects.values()]
     attachments = [
         one
         for path, table in reader.tables(station, "attach")
-        if (one := _attachment(reader, path, table, [*objects])) is not None
+        if (one := _attachment(reader, path, table, names)) is not None
     ]
     table = reader.table(station, "collisions")
     settings = values_of(reader, CollisionsTable, table, "collisions")
@@ -70,14 +73,24 @@ def read_geometry(reader: Reader, station: Table) -> CellGeometry:
 def _attachment(
     reader: Reader, path: str, table: Table, objects: Sequence[str]
 ) -> Attachment | None:
-    found = values_of(reader, AttachTable, table, path)
-    name = found.get("object")
-    if name is not None and name.lower() not in objects:
-        cure = did_you_mean(name, objects) or f"there are {', '.join(objects) or 'none'}"
-        reader.wrong(f"{path}.object", f"there is no object `{name}`", cure)
+    attach = as_record(AttachTable, values_of(reader, AttachTable, table, path))
+    if attach is None:
         return None
-    attach = as_record(AttachTable, found)
-    return None if attach is None else Attachment(attach.when.text, attach.object, attach.robot)
+    pattern, tool = attach.object.lower(), attach.to.name.lower()
+    matches = tuple(
+        name for name in objects if name.lower() == pattern or fnmatchcase(name.lower(), pattern)
+    )
+    of_tool = attach.to.kind is ParentKind.TOOL and tool
+    for key, name, exists in (
+        ("object", attach.object, bool(matches)),
+        ("to", attach.to.name, not of_tool or tool in [one.lower() for one in objects]),
+    ):
+        if not exists:
+            cure = did_you_mean(name, objects) or f"there are {', '.join(objects) or 'none'}"
+            reader.wrong(f"{path}.{key}", f"there is no object `{name}`", cure)
+            return None
+    to = replace(attach.to, robot=attach.robot)
+    return Attachment(attach.when.text, matches, to, attach.nearest * MM)
 
 
 def _object(reader: Reader, path: str, table: Table) -> CellObject | None:

@@ -154,7 +154,7 @@ pose = { position = [700, 100, 530] }
 
 
 def test_a_part_is_carried_and_hits_what_is_in_its_way(tmp_path: Path) -> None:
-    cell(tmp_path, GRIP, PART + WALL)
+    cell(tmp_path, GRIP, PART + WALL + TABLE)
     found = report(tmp_path, 1)
     assert codes(found) == ["C101"]
     (hit,) = found["collisions"]

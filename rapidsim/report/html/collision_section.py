@@ -78,7 +78,7 @@ def collision_section(simulation: Simulation) -> str:
     remarks = [f"not checked: {one}" for one in collisions.remarks]
     for one in (*shape_margins(simulation, collisions), *remarks):
         parts.append(f'<p class="aside">{prose(one)}</p>')
-    pairs = len(collisions.scene.pairs)
+    pairs = collisions.pair_count
     return section("collisions", "Collisions", "".join(parts), f"{pairs} pairs of bodies checked")
 
 

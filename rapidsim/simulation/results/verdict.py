@@ -206,8 +206,9 @@ def _headline(simulation: Simulation, qualifications: tuple[str, ...]) -> str:
     if qualifications and simulation.end is End.ENDED:
         words = _QUALIFIED_END
     text = f"{words} after {simulation.time_s:.3f} s"
-    if hits := _hits(simulation):
-        text += f", with {hits} collision{'s' if hits > 1 else ''}"
+    crashes = () if simulation.collisions is None else simulation.collisions.crashes
+    if crashes:
+        text += f", with {len(crashes)} collision{'s' if len(crashes) > 1 else ''}"
     return "; ".join((text, *qualifications))
 
 
