@@ -93,10 +93,10 @@ class Travel:
         return found
 
 
-def _stirring(move: Index, way: Array) -> tuple[Index, npt.NDArray[np.bool_]]:
-    """Return the moves (m,) at instants (k,), and in which of them columns of ways stir (m, c)."""
+def _stirring(move: Index, travel: Array) -> tuple[Index, npt.NDArray[np.bool_]]:
+    """Return the moves (m,) at instants (k,), and in which of them columns stir (m, c)."""
     moves, at = np.unique(move, return_inverse=True)
-    steps, total = np.diff(way, axis=0), np.zeros((len(moves), way.shape[1]))
+    steps, total = np.diff(travel, axis=0), np.zeros((len(moves), travel.shape[1]))
     within = at[1:] == at[:-1]
     np.add.at(total, at[1:][within], steps[within])
     brief = np.bincount(at) == 1

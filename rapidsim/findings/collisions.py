@@ -31,7 +31,7 @@ class LeftInTheAir(Violation, code="C105"):
     part: str
     time_s: float
     below: str
-    """What is below it and how far, for the message."""
+    """Body below it and its distance, for the message."""
 
 
 class NothingGripped(Violation, code="C106"):
@@ -41,9 +41,9 @@ class NothingGripped(Violation, code="C106"):
     """The nearest part and its distance, for the message."""
 
 
-class PlaceTaken(Violation, code="C107"):
+class PlaceOccupied(Violation, code="C107"):
     part: str
-    taken: str
+    occupant: str
     """The part that is there, and the place, for the message."""
     time_s: float
 

@@ -38,7 +38,13 @@ from rapidsim.controller.cell.conditions import Condition, read_condition
 from rapidsim.frames.transform import Transform
 from rapidsim.language.data import WobjData
 from rapidsim.motion.configurations.targets import transform
-from rapidsim.simulation.part_courses import Cell, Gripper, PartCourses, Reach, part_courses
+from rapidsim.simulation.part_courses import (
+    MovingCell,
+    PartCourses,
+    PartHolder,
+    Reach,
+    part_courses,
+)
 from rapidsim.simulation.results.parts import PartEvent
 from rapidsim.simulation.results.signal_history import Changes, signal_changes
 from rapidsim.simulation.results.simulation import RobotRun, Simulation
@@ -257,10 +263,10 @@ class _Builder:
             if len(self._bodies[number].carried) > 1:
                 name = self._bodies[number].label.name
                 self._remarks.append(f"{name}: its work object changes while robots carry it")
-        return part_courses(Cell(self._bodies, bodies, frames, tcps), grippers, times)
+        return part_courses(MovingCell(self._bodies, bodies, frames, tcps), grippers, times)
 
-    def _grippers(self) -> Iterator[Gripper]:
-        """Yield what takes parts; tables with one condition and one holder are one gripper."""
+    def _grippers(self) -> Iterator[PartHolder]:
+        """Yield holders of parts; tables with one condition and one holder are one gripper."""
         alike: dict[tuple[str, str, int, SceneFrame, int | None], list[Attachment]] = {}
         for table in self._geometry.attachments:
             for holder in self._holder(table):
@@ -288,7 +294,7 @@ class _Builder:
                             f"{label}: nothing sets or declares the signal {signal}"
                         )
             changes = tuple(_truths(condition, self._signals))
-            yield Gripper(name, robot, frame, body, tuple(reaches), condition.signals(), changes)
+            yield PartHolder(name, robot, frame, body, tuple(reaches), condition.signals(), changes)
 
     def _holder(self, table: Attachment) -> Iterator[tuple[str, int, SceneFrame, int | None]]:
         """Yield name, robot, frame and body of what holds objects, if the run has it."""

@@ -36,7 +36,6 @@ def with_collisions(simulation: Simulation, geometry: CellGeometry) -> Simulatio
 
 def _findings(simulation: Simulation, collisions: Collisions) -> Iterator[Diagnostic]:
     found, robots = collisions.report, simulation.robots
-    faults = [event for event in collisions.part_events if event.violation is not None]
     for first, *later in collisions.crashes:
         others = [pair for pair in map(_pair_of, later) if pair != _pair_of(first)]
         violation = Collision(
@@ -48,7 +47,7 @@ def _findings(simulation: Simulation, collisions: Collisions) -> Iterator[Diagno
         )
         move = robots[first.robot].move(first.move)
         yield _at(move, violation, tuple(_others(robots, first)))
-    for event in faults:
+    for event in collisions.part_errors:
         place, fault = place_of(simulation, event), event.violation
         if fault is not None:
             span, routine = (None, None) if place is None else (place.span, place.routine)

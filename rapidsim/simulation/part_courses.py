@@ -1,4 +1,4 @@
-"""What carries each part of a cell during a run, from when on.
+"""Carriers of the parts of a cell during a run.
 
 A part is a body that grippers take. A gripper that closes takes the nearest of its parts within
 reach; a part that it releases rests on the body below it and moves with that, be it a positioner, a
@@ -21,7 +21,7 @@ from rapidsim.collisions.overlap import TOUCH_M
 from rapidsim.collisions.scene import WORLD, AttachedBody, Body, SceneFrame
 from rapidsim.collisions.support import DEEPEST_M, RESTS_M, Support, support
 from rapidsim.diagnostics import Violation
-from rapidsim.findings.collisions import LeftInTheAir, NothingGripped, PlaceTaken
+from rapidsim.findings.collisions import LeftInTheAir, NothingGripped, PlaceOccupied
 from rapidsim.frames.transform import Array, Transform
 from rapidsim.simulation.results.parts import PartChange, PartEvent
 from rapidsim.values import value_class
@@ -44,7 +44,7 @@ class Reach:
 
 
 @value_class(frozen=True, slots=True)
-class Gripper:
+class PartHolder:
     """A gripper or clamp that a condition on signals closes."""
 
     name: str
@@ -65,8 +65,8 @@ class Gripper:
 
 
 @value_class(frozen=True, slots=True, eq=False)
-class Cell:
-    """Bodies with their carriers at the start, and all frames at the times at which grippers act."""
+class MovingCell:
+    """Bodies with their first carriers, and all frames at the times at which grippers act."""
 
     bodies: Sequence[Body]
     distances: Bodies
@@ -87,7 +87,9 @@ class PartCourses:
     """Events in order of time."""
 
 
-def part_courses(cell: Cell, grippers: Sequence[Gripper], times: Sequence[float]) -> PartCourses:
+def part_courses(
+    cell: MovingCell, grippers: Sequence[PartHolder], times: Sequence[float]
+) -> PartCourses:
     """Follow the parts of a run.
 
     Args:
@@ -99,13 +101,15 @@ def part_courses(cell: Cell, grippers: Sequence[Gripper], times: Sequence[float]
 
 
 class _Tracker:
-    def __init__(self, cell: Cell, grippers: Sequence[Gripper], times: Sequence[float]) -> None:
+    def __init__(
+        self, cell: MovingCell, grippers: Sequence[PartHolder], times: Sequence[float]
+    ) -> None:
         self._cell, self._grippers, self._times = cell, grippers, times
         self._rows = {time_s: row for row, time_s in enumerate(times)}
         parts = {part for gripper in grippers for reach in gripper.reaches for part in reach.parts}
         self._parts = sorted(parts)
         self._carried = {part: [cell.bodies[part].carried[0]] for part in self._parts}
-        self._holders: dict[int, Gripper] = {}
+        self._holders: dict[int, PartHolder] = {}
         """Grippers of the parts that are held."""
         self._since: dict[int, float] = {}
         """Times [s] at which these closed."""
@@ -116,7 +120,7 @@ class _Tracker:
         self._events: list[PartEvent] = []
 
     def courses(self) -> PartCourses:
-        """Return what has happened to the parts."""
+        """Return carriers and events of the parts."""
         for part in self._parts:
             found = self._support(part, 0, self._parts)
             if found is not None:
@@ -137,7 +141,7 @@ class _Tracker:
         carried = {part: tuple(frames) for part, frames in self._carried.items()}
         return PartCourses(carried, tuple(sorted(self._events, key=lambda one: one.time_s)))
 
-    def _close(self, gripper: Gripper, row: int) -> None:
+    def _close(self, gripper: PartHolder, row: int) -> None:
         held = [part for part, holder in self._holders.items() if holder is gripper]
         near: list[tuple[float, int]] = []
         taken: list[int] = []
@@ -166,22 +170,22 @@ class _Tracker:
             ]
             if others:
                 where = f"{gripper.name} holds {self._name(others[0])} already"
-                fault = PlaceTaken(self._name(part), where, self._times[row])
+                fault = PlaceOccupied(self._name(part), where, self._times[row])
             self._settle(part, row)
             self._holders[part], self._since[part] = gripper, self._times[row]
             self._attach(part, row, gripper.body, self._frame_of(gripper))
             self._log(row, PartChange.GRIPPED, self._name(part), gripper, gripper.name, fault)
 
-    def _open(self, gripper: Gripper, row: int) -> None:
+    def _open(self, gripper: PartHolder, row: int) -> None:
         for part in [part for part, holder in self._holders.items() if holder is gripper]:
             del self._holders[part]
             below = self._bodies_below(part, gripper)
             found = self._support(part, row, below)
             held_s = self._times[row] - self._since[part]
             fault: Violation | None = None
-            if meets := self._taken(part, row):
+            if meets := self._occupant(part, row):
                 where = f"{meets} is there already"
-                fault = PlaceTaken(self._name(part), where, self._times[row])
+                fault = PlaceOccupied(self._name(part), where, self._times[row])
             if found is None:
                 self._attach(part, row, None, WORLD)
                 deep = self._support(part, row, below, DEEPEST_M)
@@ -221,13 +225,13 @@ class _Tracker:
             seen = self._cell.frames[frame][row].inverse() @ pose
             self._carried[other].append(AttachedBody(self._times[row], frame, seen))
 
-    def _frame_of(self, gripper: Gripper) -> SceneFrame:
+    def _frame_of(self, gripper: PartHolder) -> SceneFrame:
         if gripper.body in self._carried:
             return self._carried[gripper.body][-1].frame
         return gripper.frame
 
     def _carrier(self, body: int, row: int) -> AttachedBody:
-        """What carries a body at an instant."""
+        """Return the carrier of a body at an instant."""
         if body in self._carried:
             return self._carried[body][-1]
         first, *later = self._cell.bodies[body].carried
@@ -238,7 +242,7 @@ class _Tracker:
         carrier = self._carrier(body, row)
         return self._cell.frames[carrier.frame][row] @ carrier.frame_from_body
 
-    def _distances(self, gripper: Gripper, parts: Sequence[int], row: int) -> Array:
+    def _distances(self, gripper: PartHolder, parts: Sequence[int], row: int) -> Array:
         """Return the distances (k,) [m] of parts from a gripper; inf beyond the farthest."""
         holders = [] if gripper.body is None else [gripper.body]
         if gripper.body is None:
@@ -264,7 +268,7 @@ class _Tracker:
         gaps = self._cell.distances.gaps(first, second, second_from_first, enough)
         return np.maximum(gaps.distances_found, 0.0)
 
-    def _bodies_below(self, part: int, gripper: Gripper) -> list[int]:
+    def _bodies_below(self, part: int, gripper: PartHolder) -> list[int]:
         """Indices of bodies that may carry a part: not those of the arm that releases it."""
         return [
             body
@@ -290,7 +294,7 @@ class _Tracker:
         here = self._pose(part, row)
         return support(self._cell.distances, part, below, here, poses, deepest_m)
 
-    def _taken(self, part: int, row: int) -> str:
+    def _occupant(self, part: int, row: int) -> str:
         """Name of the part that is where another one is put, also when lifted a little; or ""."""
         others = [other for other in self._parts if other != part and other not in self._holders]
         if not others:
@@ -342,7 +346,7 @@ class _Tracker:
         row: int,
         change: PartChange,
         part: str,
-        gripper: Gripper,
+        gripper: PartHolder,
         carrier: str,
         violation: Violation | None,
         meets: str = "",

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+from typing import Annotated
+
 import numpy as np
 
 from rapidsim.collisions.contact import Clearance, Contact
 from rapidsim.frames.transform import Array, Transform
-from rapidsim.json_records.declarations import OrAbsent, Rounded
+from rapidsim.json_records.declarations import Key, OrAbsent, Rounded
 from rapidsim.report.run.records import PoseRecord
 from rapidsim.simulation.results.collisions import Collisions
 from rapidsim.simulation.results.parts import PartChange, place_of
@@ -76,7 +78,8 @@ class PartEventRecord:
 class PartsRecord:
     """The parts of a run."""
 
-    made: int
+    total: Annotated[int, Key("made")]
+    """All parts."""
     moved: int
     """Parts that were put down somewhere."""
     lost: int
@@ -128,7 +131,7 @@ def _parts(simulation: Simulation, collisions: Collisions) -> PartsRecord:
         events.append(
             PartEventRecord(one.time_s, one.change, one.part, one.carrier, file, line, routine)
         )
-    return PartsRecord(counts.made, counts.moved, counts.lost, tuple(events))
+    return PartsRecord(counts.total, counts.moved, counts.lost, tuple(events))
 
 
 def contact_records(simulation: Simulation) -> tuple[ContactRecord, ...]:

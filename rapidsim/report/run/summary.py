@@ -244,9 +244,9 @@ def _collisions(simulation: Simulation, collisions: Collisions) -> Text:
 
 
 def _parts(counts: PartCounts) -> Text:
-    """How many parts there were, and where they went."""
+    """Number of parts, and of those that were moved and lost."""
     lost = f", {counts.lost} lost" if counts.lost else ""
-    return Text(f"{counts.made}: {counts.moved} moved{lost}", "red" if lost else "")
+    return Text(f"{counts.total}: {counts.moved} moved{lost}", "red" if lost else "")
 
 
 def shape_margins(simulation: Simulation, collisions: Collisions) -> list[str]:

@@ -60,6 +60,11 @@ class Collisions:
         """Contacts that begin during the run, by crash."""
         return tuple(_crashes(self.report.contacts, self.part_events))
 
+    @property
+    def part_errors(self) -> tuple[PartEvent, ...]:
+        """Events of parts that are errors of the program."""
+        return tuple(one for one in self.part_events if one.violation is not None)
+
     def drawn_objects(self) -> Iterator[tuple[int, CellObject, Body]]:
         """Yield the objects that still pictures show, with their numbers among the bodies."""
         for number, one in self.objects.items():

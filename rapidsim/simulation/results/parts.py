@@ -49,7 +49,7 @@ class PartEvent:
 class PartCounts:
     """Numbers of parts of a run."""
 
-    made: int
+    total: int
     """All parts."""
     moved: int
     """Parts that were put down somewhere."""
