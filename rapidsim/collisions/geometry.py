@@ -64,7 +64,7 @@ class Attachment:
     objects: tuple[str, ...]
     """Names of the objects, of which it takes the nearest."""
     to: Parent
-    """What holds them: a tool, one body of it, or a unit."""
+    """Holder: a tool, one body of it, or a unit."""
     reach_m: float
     """Largest distance [m] of an object that it takes."""
 

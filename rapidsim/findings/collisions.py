@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from rapidsim.diagnostics import Violation
+from rapidsim.diagnostics import Diagnostic, Violation
 
 
 class Collision(Violation, code="C101"):
@@ -55,3 +55,8 @@ class CollisionNotRun(Violation, code="C104"):
     deep: str
     suggestion: str
     """Suggested remedy; empty without one."""
+
+
+def is_of_cell(finding: Diagnostic) -> bool:
+    """Whether a finding depends on all robots of a cell: it is one of bodies in a run."""
+    return finding.code.startswith("C") and not isinstance(finding.violation, CollisionNotRun)
