@@ -42,7 +42,7 @@ def _findings(simulation: Simulation, collisions: Collisions) -> Iterator[Diagno
             first.first.name,
             first.second.name,
             first.time_s,
-            _deep((first, *later)),
+            _deep((first, *later), stops=collisions.geometry.stops),
             _also(first.second.name, list(dict.fromkeys(others))),
         )
         move = robots[first.robot].move(first.move)
@@ -72,9 +72,11 @@ def _also(second: str, pairs: list[tuple[str, str]]) -> str:
     return f"{said}; {' and '.join(others)}" if others else said
 
 
-def _deep(contacts: tuple[Contact, ...]) -> str:
+def _deep(contacts: tuple[Contact, ...], *, stops: bool) -> str:
+    """Describe the largest depth of a crash: of a run that it stops, that at the end of braking."""
     known = [one.depth_m for one in contacts if one.depth_m is not None]
-    return f", {max(known) * _MM:.1f} mm deep" if known else ""
+    when = " when the arm has braked" if stops else ""
+    return f", {max(known) * _MM:.1f} mm deep{when}" if known else ""
 
 
 def _near(
