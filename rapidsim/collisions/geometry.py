@@ -70,6 +70,35 @@ class Attachment:
 
 
 @value_class(frozen=True, slots=True)
+class Source:
+    """Appearance of copies of an object at its pose."""
+
+    object: str
+    times: tuple[float, ...] = ()
+    """Times [s] of single copies."""
+    first_s: float | None = None
+    """Time [s] of the first of further copies; None for none."""
+    every_s: float | None = None
+    """Time [s] from one of those to the next; None if there is only one."""
+    when: str = ""
+    """Condition that makes a copy each time that it becomes true; empty for none."""
+
+
+@value_class(frozen=True, slots=True)
+class Sink:
+    """Disappearance of parts that rest on a body."""
+
+    surface: str
+    """Name of the body, or of the surface of a conveyor, at whose end parts disappear."""
+    after_s: float = 0.0
+    """Time [s] that a part rests there."""
+    when: str = ""
+    """Condition that removes all parts each time that it becomes true; empty for none."""
+    capacity: int | None = None
+    """Largest number of parts; None for any."""
+
+
+@value_class(frozen=True, slots=True)
 class IgnoredPair:
     """Two bodies that may touch."""
 
@@ -84,6 +113,8 @@ class CellGeometry:
 
     objects: tuple[CellObject, ...] = ()
     attachments: tuple[Attachment, ...] = ()
+    sources: tuple[Source, ...] = ()
+    sinks: tuple[Sink, ...] = ()
     ignored: tuple[IgnoredPair, ...] = ()
     clearance_m: float = 0.0
     """Distance [m] below which a run is reported."""

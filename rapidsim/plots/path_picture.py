@@ -227,7 +227,7 @@ def _draw_start(axes: Axes, run: SampledRun, theme: Theme, view: tuple[int, ...]
 
 
 def _spread_labels(names: list[str], places: Array, sweep: Array) -> list[tuple[str, Array]]:
-    """Return names right of points (k, 2) [mm] that do not overlap earlier ones; omit the others."""
+    """Return names at points (k, 2) [mm] that do not overlap earlier ones; omit the others."""
     spans = np.ptp(np.concatenate([places, sweep]), axis=0)
     width = max(float(spans[0]), _WIDE * float(spans[1]), 1.0)
     kept: list[tuple[str, Array]] = []

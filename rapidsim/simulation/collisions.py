@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
 from rapidsim.collisions.along_motion import search
 from rapidsim.collisions.contact import CollisionReport, Contact
 from rapidsim.collisions.geometry import CellGeometry
+from rapidsim.controller.cell.conveyors import ConveyorScript
 from rapidsim.controller.moves.executed_move import ExecutedMove
 from rapidsim.diagnostics import Diagnostic, Related
 from rapidsim.findings.collisions import Collision, LowClearance, NotJudged
@@ -19,9 +20,11 @@ from rapidsim.simulation.results.simulation import RobotRun, Simulation
 _MM = 1e3
 
 
-def with_collisions(simulation: Simulation, geometry: CellGeometry) -> Simulation:
+def with_collisions(
+    simulation: Simulation, geometry: CellGeometry, conveyors: Sequence[ConveyorScript]
+) -> Simulation:
     """Return a run with the contacts and clearances of its bodies."""
-    made = cell_scene(simulation, geometry)
+    made = cell_scene(simulation, geometry, conveyors)
     found = search(made.scene, simulation.motion_end_s, made.bodies)
     collisions = Collisions(
         geometry, found, made.scene, made.remarks, made.objects, made.parts, made.events

@@ -1,28 +1,33 @@
 """Carriers of the parts of a cell during a run.
 
-A part is a body that grippers take. A gripper that closes takes the nearest of its parts within
-reach; a part that it releases rests on the body below it and moves with that, be it a positioner, a
-part or another robot's gripper. The parts on a part move with it. All follows from the signals of
-the run and the motion of its arms, in order of time; at one time grippers close before others open,
-as a part that changes hands is never loose.
+A part is a body that grippers take, or that appears and disappears. A gripper that closes takes the
+nearest of its parts within reach; a part that it releases rests on the body below it and moves with
+that, be it a positioner, a belt, a part or another robot's gripper. The parts on a part move with
+it. All follows from the signals of the run and the motion of its arms, in order of time; at one
+time grippers close before others open, as a part that changes hands is never loose.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import replace
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import field, replace
+from functools import partial
+from heapq import heappop, heappush
+from itertools import count
 
 import numpy as np
 
 from rapidsim.collisions.body_distance import Bodies
-from rapidsim.collisions.contact import BodyName
-from rapidsim.collisions.convex import Index
 from rapidsim.collisions.overlap import TOUCH_M
-from rapidsim.collisions.scene import WORLD, AttachedBody, Body, SceneFrame
+from rapidsim.collisions.scene import WORLD, AttachedBody, SceneFrame
 from rapidsim.collisions.support import DEEPEST_M, RESTS_M, Support, support
 from rapidsim.diagnostics import Violation
 from rapidsim.findings.collisions import LeftInTheAir, NothingGripped, PlaceOccupied
 from rapidsim.frames.transform import Array, Transform
+from rapidsim.motion.configurations.targets import MM
+from rapidsim.simulation.cell_bodies import CellBodies
+from rapidsim.simulation.cell_frames import CellFrames
+from rapidsim.simulation.part_supply import PartHolder, PartSink
 from rapidsim.simulation.results.parts import PartChange, PartEvent
 from rapidsim.values import value_class
 
@@ -32,337 +37,478 @@ _FARTHEST_M = 10.0
 """Distance [m] up to which the nearest part of a gripper is named."""
 _MOVED_M = 5e-3
 """Travel [m] of a body on which a part lies loosely."""
-
-
-@value_class(frozen=True, slots=True)
-class Reach:
-    """Parts of which a gripper takes the nearest."""
-
-    parts: tuple[int, ...]
-    """Indices of the bodies."""
-    distance_m: float
-
-
-@value_class(frozen=True, slots=True)
-class PartHolder:
-    """A gripper or clamp that a condition on signals closes."""
-
-    name: str
-    robot: int
-    frame: SceneFrame
-    """The flange, or the frame of a positioner."""
-    body: int | None
-    """Index of the body that holds; None for all on its frame, and the TCP."""
-    reaches: tuple[Reach, ...]
-    signals: tuple[str, ...]
-    changes: tuple[tuple[float, bool], ...]
-    """Times [s] at which it closes and opens."""
-
-    @property
-    def is_of_arm(self) -> bool:
-        """Whether an arm carries it."""
-        return not self.frame.axes
+_APPEARS, _CLOSES, _OPENS, _LEAVES = range(4)
+"""Order of what happens at one time."""
 
 
 @value_class(frozen=True, slots=True, eq=False)
-class MovingCell:
-    """Bodies with their first carriers, and all frames at the times at which grippers act."""
+class PartCourse:
+    """Carriers of one part."""
 
-    bodies: Sequence[Body]
-    distances: Bodies
-    """The bodies; behind them a point."""
-    frames: Mapping[SceneFrame, Transform]
-    """World from each frame (k,)."""
-    tcps: Sequence[Transform]
-    """World from TCP (k,) of each robot."""
+    carried: tuple[AttachedBody, ...]
+    """In order of time."""
+    from_s: float
+    until_s: float
+    """Interval [s] in which it exists."""
 
 
 @value_class(frozen=True, slots=True, eq=False)
 class PartCourses:
     """Carriers and events of the parts of a run."""
 
-    carried: Mapping[int, tuple[AttachedBody, ...]]
-    """Carriers of each part in order of time, by the index of its body."""
+    parts: Mapping[int, PartCourse]
+    """By the index of the body."""
     events: tuple[PartEvent, ...]
     """Events in order of time."""
 
 
 def part_courses(
-    cell: MovingCell, grippers: Sequence[PartHolder], times: Sequence[float]
+    cell: CellBodies,
+    distances: Bodies,
+    holders: Sequence[PartHolder],
+    sinks: Sequence[PartSink],
 ) -> PartCourses:
     """Follow the parts of a run.
 
     Args:
         cell: Its bodies.
-        grippers: Its grippers.
-        times: The instants (k,) [s] of the frames of the cell.
+        distances: The same bodies; behind them a point.
+        holders: Grippers and clamps.
+        sinks: Bodies from which parts disappear.
     """
-    return _Tracker(cell, grippers, times).courses()
+    return _Tracker(cell, distances, holders, sinks).courses()
+
+
+@value_class(slots=True, eq=False)
+class _Part:
+    """State of a part."""
+
+    carried: list[AttachedBody]
+    from_s: float = -np.inf
+    until_s: float = np.inf
+    holder: PartHolder | None = None
+    """Gripper or clamp that holds it."""
+    since_s: float = 0.0
+    """Time [s] at which that closed."""
+    below: int | None = None
+    """Body that it rests on, or that holds it."""
+    loose: tuple[int, float] | None = None
+    """Event and time [s] at which it was put on a gripper that has not closed on it."""
+
+
+_Act = Callable[[float], None]
+
+
+@value_class(slots=True, eq=False)
+class _Queue:
+    """Acts by time and order."""
+
+    heap: list[tuple[float, int, int, _Act]] = field(default_factory=list)
+    numbers: count[int] = field(default_factory=count)
+
+    def add(self, time_s: float, order: int, act: _Act) -> None:
+        """Let something happen at a time [s]."""
+        heappush(self.heap, (time_s, order, next(self.numbers), act))
 
 
 class _Tracker:
     def __init__(
-        self, cell: MovingCell, grippers: Sequence[PartHolder], times: Sequence[float]
+        self,
+        cell: CellBodies,
+        distances: Bodies,
+        holders: Sequence[PartHolder],
+        sinks: Sequence[PartSink],
     ) -> None:
-        self._cell, self._grippers, self._times = cell, grippers, times
-        self._rows = {time_s: row for row, time_s in enumerate(times)}
-        parts = {part for gripper in grippers for reach in gripper.reaches for part in reach.parts}
-        self._parts = sorted(parts)
-        self._carried = {part: [cell.bodies[part].carried[0]] for part in self._parts}
-        self._holders: dict[int, PartHolder] = {}
-        """Grippers of the parts that are held."""
-        self._since: dict[int, float] = {}
-        """Times [s] at which these closed."""
-        self._below: dict[int, int] = {}
-        """Bodies that parts rest on, or that hold them."""
-        self._loose: dict[int, tuple[int, int]] = {}
-        """Event and instant at which a part was put on a gripper that has not closed on it."""
+        self._cell, self._distances = cell, distances
+        self._holders, self._sinks = holders, sinks
+        self._queue = _Queue()
+        numbers = {part for holder in holders for part in holder.parts} | cell.arrivals.keys()
+        self._parts = {
+            number: _Part([cell.bodies[number].carried[0]]) for number in sorted(numbers)
+        }
         self._events: list[PartEvent] = []
+        used = {one.frame for body in cell.bodies for one in body.carried}
+        used |= {holder.frame for holder in holders}
+        self._frames = CellFrames(cell.arms, cell.runs, cell.belts, used)
 
     def courses(self) -> PartCourses:
         """Return carriers and events of the parts."""
-        for part in self._parts:
-            found = self._support(part, 0, self._parts)
-            if found is not None:
-                self._below[part] = found.body
-        changes = (
-            (time_s, not closes, number)
-            for number, gripper in enumerate(self._grippers)
-            for time_s, closes in gripper.changes
-        )
-        for time_s, opens, number in sorted(changes):
-            gripper, row = self._grippers[number], self._rows[time_s]
-            if opens:
-                self._open(gripper, row)
-            else:
-                self._close(gripper, row)
-        for part in [*self._loose]:
-            self._settle(part, len(self._times) - 1)
-        carried = {part: tuple(frames) for part, frames in self._carried.items()}
-        return PartCourses(carried, tuple(sorted(self._events, key=lambda one: one.time_s)))
+        if not self._parts:
+            return PartCourses({}, ())
+        self._begin()
+        while self._queue.heap and self._queue.heap[0][0] <= self._cell.end_s:
+            time_s, _, _, act = heappop(self._queue.heap)
+            act(time_s)
+        for number in self._parts:
+            self._settle(number, self._cell.end_s)
+        courses = {}
+        for number, part in self._parts.items():
+            carried = self._cell.bodies[number].carried
+            if len(part.carried) > 1 or number in self._cell.arrivals:
+                if len(carried) > 1:
+                    name = self._name(number)
+                    self._cell.remarks.append(f"{name}: its work object changes as it is carried")
+                carried = tuple(part.carried)
+            courses[number] = PartCourse(carried, part.from_s, part.until_s)
+        return PartCourses(courses, tuple(self._events))
 
-    def _close(self, gripper: PartHolder, row: int) -> None:
-        held = [part for part, holder in self._holders.items() if holder is gripper]
+    def _begin(self) -> None:
+        """Queue what the signals and the clock do to the parts."""
+        for number, arrival in self._cell.arrivals.items():
+            self._parts[number].from_s = self._parts[number].until_s = np.inf
+            self._queue.add(arrival.time_s, _APPEARS, partial(self._appear, number))
+        for holder in self._holders:
+            for time_s, closes in holder.changes:
+                act = self._close if closes else self._open
+                order = _CLOSES if closes else _OPENS
+                self._queue.add(time_s, order, partial(act, holder))
+        for sink in self._sinks:
+            for time_s in sink.empties:
+                self._queue.add(time_s, _LEAVES, partial(self._empty, sink))
+        self._frames.prefetch([time_s for time_s, *_ in self._queue.heap] + [0.0])
+        for number, part in self._parts.items():
+            if part.until_s == np.inf and part.from_s == -np.inf:
+                below = self._support(number, 0.0, self._present(0.0))
+                part.below = None if below is None else below.body
+
+    def _present(self, time_s: float) -> list[int]:
+        """Indices of the parts that exist."""
+        return [
+            number for number, part in self._parts.items() if part.from_s <= time_s < part.until_s
+        ]
+
+    def _appear(self, number: int, time_s: float) -> None:
+        part, arrival = self._parts[number], self._cell.arrivals[number]
+        meets = self._occupant(number, time_s)
+        if meets:
+            fault = PlaceOccupied(self._name(number), f"{meets} is there already", time_s)
+            self._log(time_s, PartChange.BLOCKED, number, "", violation=fault, meets=meets)
+            return
+        part.from_s, part.until_s = time_s, np.inf
+        first = part.carried[0]
+        part.carried[0] = replace(first, from_s=time_s)
+        found = self._support(number, time_s, self._bodies(time_s))
+        carrier = ""
+        if arrival.belt is not None:
+            part.carried.clear()
+            self._attach(number, time_s, None, SceneFrame(belt=arrival.belt), first)
+            carrier = f"`{self._cell.conveyors[arrival.belt].unit}`"
+        elif found is not None:
+            carrier = self._name(found.body)
+            frame = self._frame_on(found.body, time_s)
+            if frame != first.frame:
+                part.carried.clear()
+                self._attach(number, time_s, found.body, frame, first)
+            part.below = found.body
+        self._log(time_s, PartChange.APPEARED, number, carrier)
+
+    def _close(self, holder: PartHolder, time_s: float) -> None:
         near: list[tuple[float, int]] = []
         taken: list[int] = []
-        for reach in gripper.reaches:
-            parts = [part for part in reach.parts if part not in held and part != gripper.body]
-            distances = self._distances(gripper, parts, row)
+        present = self._present(time_s)
+        for reach in holder.reaches:
+            parts = [
+                part
+                for part in reach.parts
+                if part in present
+                and part != holder.body
+                and self._parts[part].holder is not holder
+            ]
+            distances = self._distances_from(holder, parts, time_s)
             near += zip(distances.tolist(), parts, strict=True)
             if parts and distances.min() <= reach.distance_m:
                 taken.append(parts[int(distances.argmin())])
         if not taken:
-            said = "the station has no part for it"
-            if near:
-                distance_m, part = min(near)
-                where = f"is {distance_m * _MM:.1f} mm away"
-                if not np.isfinite(distance_m):
-                    where = f"is more than {_FARTHEST_M * _MM:g} mm away"
-                said = f"the nearest part, {self._name(part)}, {where}"
-            miss = NothingGripped(gripper.name, self._times[row], said)
-            self._log(row, PartChange.MISSED, "", gripper, gripper.name, miss)
-        for part in dict.fromkeys(taken):
+            self._miss(holder, near, time_s)
+        for number in dict.fromkeys(taken):
             fault: Violation | None = None
             others = [
-                other
-                for other, holder in self._holders.items()
-                if gripper.body is not None and holder.body == gripper.body and other != part
+                self._name(other)
+                for other, one in self._parts.items()
+                if holder.body is not None and one.holder and one.holder.body == holder.body
             ]
             if others:
-                where = f"{gripper.name} holds {self._name(others[0])} already"
-                fault = PlaceOccupied(self._name(part), where, self._times[row])
-            self._settle(part, row)
-            self._holders[part], self._since[part] = gripper, self._times[row]
-            self._attach(part, row, gripper.body, self._frame_of(gripper))
-            self._log(row, PartChange.GRIPPED, self._name(part), gripper, gripper.name, fault)
+                where = f"{holder.name} holds {others[0]} already"
+                fault = PlaceOccupied(self._name(number), where, time_s)
+            self._settle(number, time_s)
+            part, frame = self._parts[number], holder.frame
+            if holder.body in self._parts:
+                frame = self._parts[holder.body].carried[-1].frame
+            part.holder, part.since_s = holder, time_s
+            self._attach(number, time_s, holder.body, frame)
+            self._log(time_s, PartChange.GRIPPED, number, holder.name, holder, fault)
 
-    def _open(self, gripper: PartHolder, row: int) -> None:
-        for part in [part for part, holder in self._holders.items() if holder is gripper]:
-            del self._holders[part]
-            below = self._bodies_below(part, gripper)
-            found = self._support(part, row, below)
-            held_s = self._times[row] - self._since[part]
+    def _miss(self, holder: PartHolder, near: Sequence[tuple[float, int]], time_s: float) -> None:
+        said = "there is no part for it"
+        if near:
+            distance_m, number = min(near)
+            where = f"is {distance_m * _MM:.1f} mm away"
+            if not np.isfinite(distance_m):
+                where = f"is more than {_FARTHEST_M * _MM:g} mm away"
+            said = f"the nearest part, {self._name(number)}, {where}"
+        fault = NothingGripped(holder.name, time_s, said)
+        self._log(time_s, PartChange.MISSED, None, holder.name, holder, fault)
+
+    def _open(self, holder: PartHolder, time_s: float) -> None:
+        for number, part in self._parts.items():
+            if part.holder is not holder:
+                continue
+            part.holder = None
+            below = self._bodies(time_s, holder)
+            found = self._support(number, time_s, below)
             fault: Violation | None = None
-            if meets := self._occupant(part, row):
+            if meets := self._occupant(number, time_s):
                 where = f"{meets} is there already"
-                fault = PlaceOccupied(self._name(part), where, self._times[row])
+                fault = PlaceOccupied(self._name(number), where, time_s)
             if found is None:
-                self._attach(part, row, None, WORLD)
-                deep = self._support(part, row, below, DEEPEST_M)
+                deep = self._support(number, time_s, below, DEEPEST_M)
                 said = "nothing is below it"
                 if deep is not None:
                     said = f"{self._name(deep.body)} is {deep.drop_m * _MM:.0f} mm below it"
-                fault = fault or LeftInTheAir(self._name(part), self._times[row], said)
-                self._log(
-                    row, PartChange.DROPPED, self._name(part), gripper, "", fault, meets, held_s
-                )
+                fault = fault or LeftInTheAir(self._name(number), time_s, said)
+                self._attach(number, time_s, None, WORLD)
+                self._log(time_s, PartChange.DROPPED, number, "", holder, fault, meets)
                 continue
-            frame = self._carrier(found.body, row).frame
-            self._attach(part, row, found.body, frame)
-            if self._could_hold(frame, part):
-                self._loose[part] = len(self._events), row
+            frame = self._frame_on(found.body, time_s)
+            self._attach(number, time_s, found.body, frame)
+            if self._could_hold(frame, number):
+                part.loose = len(self._events), time_s
+            fault = fault or self._put_on_sink(number, found.body, time_s)
             carrier = self._name(found.body)
-            self._log(
-                row, PartChange.PLACED, self._name(part), gripper, carrier, fault, meets, held_s
-            )
+            self._log(time_s, PartChange.PLACED, number, carrier, holder, fault, meets)
 
-    def _attach(self, part: int, row: int, below: int | None, frame: SceneFrame) -> None:
-        """Let a frame carry a part, and all parts that rest on it, from an instant on."""
-        if below is None:
-            self._below.pop(part, None)
-        else:
-            self._below[part] = below
-        waiting, moved = [part], []
+    def _put_on_sink(self, number: int, body: int, time_s: float) -> Violation | None:
+        """Let a part disappear from a sink; return the fault if it has no place there."""
+        fault: Violation | None = None
+        for sink in self._sinks:
+            if sink.body != body:
+                continue
+            resting = [one for one in self._resting_on(body) if one in self._present(time_s)]
+            if sink.capacity is not None and len(resting) > sink.capacity:
+                where = f"{self._name(body)} holds {sink.capacity} already"
+                fault = PlaceOccupied(self._name(number), where, time_s)
+            if not sink.is_emptied and self._cell.belt_of(body) is None:
+                self._leave_later(number, time_s + sink.after_s, self._deliver)
+        return fault
+
+    def _leave_later(self, number: int, time_s: float, act: Callable[[int, float], None]) -> None:
+        """Let something happen to a part unless its carrier changes before."""
+        changes = len(self._parts[number].carried)
+
+        def leave(now_s: float) -> None:
+            if len(self._parts[number].carried) == changes:
+                act(number, now_s)
+
+        self._queue.add(time_s, _LEAVES, leave)
+
+    def _empty(self, sink: PartSink, time_s: float) -> None:
+        present = self._present(time_s)
+        for number in self._resting_on(sink.body):
+            if number in present:
+                self._deliver(number, time_s)
+
+    def _deliver(self, number: int, time_s: float) -> None:
+        """Let a part disappear with all parts on it."""
+        for other in (number, *self._riders(number)):
+            self._parts[other].until_s = time_s
+            self._log(time_s, PartChange.DELIVERED, other, "")
+
+    def _end_of_belt(self, number: int, time_s: float) -> None:
+        """Let a part leave the end of a belt: into a sink, or it is lost."""
+        belt = self._parts[number].carried[-1].frame.belt
+        if any(self._cell.belt_of(sink.body) == belt for sink in self._sinks):
+            self._deliver(number, time_s)
+            return
+        assert belt is not None
+        said = f"it leaves the end of `{self._cell.conveyors[belt].unit}`"
+        fault = LeftInTheAir(self._name(number), time_s, said)
+        self._parts[number].until_s = time_s
+        self._log(time_s, PartChange.DROPPED, number, "", violation=fault)
+
+    def _resting_on(self, body: int) -> list[int]:
+        return [
+            number
+            for number, part in self._parts.items()
+            if part.below == body and part.holder is None
+        ]
+
+    def _riders(self, number: int) -> list[int]:
+        """Indices of the parts that a part carries, directly or on others."""
+        found: list[int] = []
+        waiting = [number]
         while waiting:
-            moved.append(waiting.pop())
-            waiting += [
-                other
-                for other, body in self._below.items()
-                if body == moved[-1] and other not in moved
-            ]
-        for other in moved:
-            pose = self._pose(other, row)
-            seen = self._cell.frames[frame][row].inverse() @ pose
-            self._carried[other].append(AttachedBody(self._times[row], frame, seen))
+            body = waiting.pop()
+            direct = [other for other, part in self._parts.items() if part.below == body]
+            new = [other for other in direct if other not in found and other != number]
+            found += new
+            waiting += new
+        return found
 
-    def _frame_of(self, gripper: PartHolder) -> SceneFrame:
-        if gripper.body in self._carried:
-            return self._carried[gripper.body][-1].frame
-        return gripper.frame
+    def _attach(
+        self,
+        number: int,
+        time_s: float,
+        below: int | None,
+        frame: SceneFrame,
+        first: AttachedBody | None = None,
+    ) -> None:
+        """Let a frame carry a part, and all parts that rest on it, from an instant on.
 
-    def _carrier(self, body: int, row: int) -> AttachedBody:
+        Args:
+            number: The part.
+            time_s: The instant.
+            below: Body that it rests on, or that holds it.
+            frame: The frame.
+            first: Pose of a part that appears.
+        """
+        frames = self._frames.at(time_s)
+        self._parts[number].below = below
+        for other in (number, *self._riders(number)):
+            now = first if other == number and first is not None else self._carrier(other, time_s)
+            pose = frames[now.frame] @ now.frame_from_body
+            seen = frames[frame].inverse() @ pose
+            self._parts[other].carried.append(AttachedBody(time_s, frame, seen))
+            if frame.belt is not None:
+                self._watch_end(other, frame.belt, seen)
+
+    def _watch_end(self, number: int, index: int, belt_from_part: Transform) -> None:
+        """Note when a part reaches the end of a belt."""
+        conveyor, belt = self._cell.conveyors[index], self._cell.belts[index]
+        end_m = conveyor.length_mm * MM - float(belt_from_part.translation[0])
+        if end_m <= belt.travel[-1]:
+            time_s = float(np.interp(end_m, belt.travel, belt.times))
+            self._leave_later(number, time_s, self._end_of_belt)
+
+    def _frame_on(self, body: int, time_s: float) -> SceneFrame:
+        """Frame of what rests on a body."""
+        belt = self._cell.belt_of(body)
+        return self._carrier(body, time_s).frame if belt is None else SceneFrame(belt=belt)
+
+    def _carrier(self, body: int, time_s: float) -> AttachedBody:
         """Return the carrier of a body at an instant."""
-        if body in self._carried:
-            return self._carried[body][-1]
+        if body in self._parts:
+            return self._parts[body].carried[-1]
         first, *later = self._cell.bodies[body].carried
-        begun = [one for one in later if one.from_s <= self._times[row]]
+        begun = [one for one in later if one.from_s <= time_s]
         return begun[-1] if begun else first
 
-    def _pose(self, body: int, row: int) -> Transform:
-        carrier = self._carrier(body, row)
-        return self._cell.frames[carrier.frame][row] @ carrier.frame_from_body
+    def _pose(self, body: int, time_s: float) -> Transform:
+        carrier = self._carrier(body, time_s)
+        return self._frames.at(time_s)[carrier.frame] @ carrier.frame_from_body
 
-    def _distances(self, gripper: PartHolder, parts: Sequence[int], row: int) -> Array:
-        """Return the distances (k,) [m] of parts from a gripper; inf beyond the farthest."""
-        holders = [] if gripper.body is None else [gripper.body]
-        if gripper.body is None:
-            holders = [
+    def _distances_from(self, holder: PartHolder, parts: Sequence[int], time_s: float) -> Array:
+        """Return the distances (k,) [m] of parts from a holder; inf beyond the farthest."""
+        bodies = [] if holder.body is None else [holder.body]
+        if holder.body is None:
+            bodies = [
                 body
-                for body in range(len(self._cell.bodies))
-                if self._carrier(body, row).frame == gripper.frame and body not in parts
+                for body in self._bodies(time_s)
+                if body not in parts and self._carrier(body, time_s).frame == holder.frame
             ]
-        poses = [self._pose(body, row) for body in holders]
-        if gripper.body is None and gripper.is_of_arm:
-            holders.append(len(self._cell.bodies))
-            poses.append(self._cell.tcps[gripper.robot][row])
-        if not holders:
+        poses = [self._pose(body, time_s) for body in bodies]
+        if holder.body is None and holder.is_of_arm:
+            bodies.append(len(self._cell.bodies))
+            poses.append(self._frames.tcp(holder.robot, time_s))
+        if not bodies or not parts:
             return np.zeros(len(parts))
-        first, second = np.repeat(parts, len(holders)), np.tile(holders, len(parts))
-        seen = [pose.inverse() @ self._pose(part, row) for part in parts for pose in poses]
-        found = self._gaps(first, second, Transform.stacked(seen))
-        nearest: Array = found.reshape(len(parts), len(holders)).min(axis=1, initial=np.inf)
+        first, second = np.repeat(parts, len(bodies)), np.tile(bodies, len(parts))
+        seen = [pose.inverse() @ self._pose(part, time_s) for part in parts for pose in poses]
+        enough = np.full(len(first), _FARTHEST_M)
+        gaps = self._distances.gaps(first, second, Transform.stacked(seen), enough)
+        found = np.maximum(gaps.distances_found, 0.0).reshape(len(parts), len(bodies))
+        nearest: Array = found.min(axis=1)
         return nearest
 
-    def _gaps(self, first: Index, second: Index, second_from_first: Transform) -> Array:
-        enough = np.full(len(first), _FARTHEST_M)
-        gaps = self._cell.distances.gaps(first, second, second_from_first, enough)
-        return np.maximum(gaps.distances_found, 0.0)
-
-    def _bodies_below(self, part: int, gripper: PartHolder) -> list[int]:
-        """Indices of bodies that may carry a part: not those of the arm that releases it."""
+    def _bodies(self, time_s: float, holder: PartHolder | None = None) -> list[int]:
+        """Indices of the bodies that exist, without those of the arm that releases a part."""
+        present = self._present(time_s)
         return [
             body
             for body in range(len(self._cell.bodies))
-            if not (gripper.is_of_arm and _is_of_arm(self._frame_now(body), gripper.robot))
+            if (body in present or body not in self._parts)
+            and not (
+                holder is not None
+                and holder.is_of_arm
+                and _is_of_arm(self._carrier(body, time_s).frame, holder.robot)
+            )
         ]
 
-    def _frame_now(self, body: int) -> SceneFrame:
-        frames = self._carried.get(body) or self._cell.bodies[body].carried
-        return frames[-1].frame
-
     def _support(
-        self, part: int, row: int, bodies: Iterable[int], deepest_m: float = RESTS_M
+        self, number: int, time_s: float, bodies: Iterable[int], deepest_m: float = RESTS_M
     ) -> Support | None:
         """Return the body below a part."""
-        above = {part}
-        while more := {other for other, body in self._below.items() if body in above} - above:
-            above |= more
+        above = {number, *self._riders(number)}
         below = np.array([body for body in bodies if body not in above], dtype=np.int64)
         if not len(below):
             return None
-        poses = Transform.stacked([self._pose(body, row) for body in below.tolist()])
-        here = self._pose(part, row)
-        return support(self._cell.distances, part, below, here, poses, deepest_m)
+        poses = Transform.stacked([self._pose(body, time_s) for body in below.tolist()])
+        here = self._pose(number, time_s)
+        return support(self._distances, number, below, here, poses, deepest_m)
 
-    def _occupant(self, part: int, row: int) -> str:
+    def _occupant(self, number: int, time_s: float) -> str:
         """Name of the part that is where another one is put, also when lifted a little; or ""."""
-        others = [other for other in self._parts if other != part and other not in self._holders]
+        others = [
+            other
+            for other in self._present(time_s)
+            if other != number and self._parts[other].holder is None
+        ]
         if not others:
             return ""
-        here = self._pose(part, row)
+        here = self._pose(number, time_s)
         overlaps = np.ones(len(others), dtype=np.bool_)
         for up_m in (0.0, RESTS_M):
             lifted = Transform(here.rotation, here.translation + up_m * _UP)
-            seen = [self._pose(other, row).inverse() @ lifted for other in others]
-            first, second = np.full(len(others), part), np.array(others)
+            seen = [self._pose(other, time_s).inverse() @ lifted for other in others]
+            first, second = np.full(len(others), number), np.array(others)
             enough = np.zeros(len(others))
-            gaps = self._cell.distances.gaps(first, second, Transform.stacked(seen), enough)
+            gaps = self._distances.gaps(first, second, Transform.stacked(seen), enough)
             overlaps &= gaps.distances_found < -TOUCH_M
         return self._name(others[int(overlaps.argmax())]) if overlaps.any() else ""
 
-    def _could_hold(self, frame: SceneFrame, part: int) -> bool:
+    def _could_hold(self, frame: SceneFrame, number: int) -> bool:
         """Whether a frame is that of an arm with a gripper for a part."""
         return any(
-            gripper.is_of_arm
-            and _is_of_arm(frame, gripper.robot)
-            and any(part in reach.parts for reach in gripper.reaches)
-            for gripper in self._grippers
+            holder.is_of_arm and _is_of_arm(frame, holder.robot) and number in holder.parts
+            for holder in self._holders
         )
 
-    def _settle(self, part: int, row: int) -> None:
+    def _settle(self, number: int, time_s: float) -> None:
         """Report a part on an open gripper that has moved until an instant."""
-        if part not in self._loose:
+        part = self._parts[number]
+        if part.loose is None:
             return
-        number, begin = self._loose.pop(part)
-        way = self._pose(part, row).translation - self._pose(part, begin).translation
-        event = self._events[number]
-        if float(np.linalg.norm(way)) < _MOVED_M or event.violation is not None:
-            return
-        said = f"{event.carrier}, on which it lies, moves on without a grip on it"
-        self._events[number] = replace(
-            event,
-            change=PartChange.DROPPED,
-            violation=LeftInTheAir(event.part, event.time_s, said),
-        )
+        (at, begin_s), part.loose = part.loose, None
+        way = self._pose(number, time_s).translation - self._pose(number, begin_s).translation
+        event = self._events[at]
+        if float(np.linalg.norm(way)) >= _MOVED_M and event.violation is None:
+            said = f"{event.carrier}, on which it lies, moves on without a grip on it"
+            fault = LeftInTheAir(event.part, event.time_s, said)
+            self._events[at] = replace(event, change=PartChange.DROPPED, violation=fault)
 
     def _name(self, body: int) -> str:
-        return self._label(body).name
-
-    def _label(self, body: int) -> BodyName:
-        return self._cell.bodies[body].label
+        return self._cell.bodies[body].label.name
 
     def _log(
         self,
-        row: int,
+        time_s: float,
         change: PartChange,
-        part: str,
-        gripper: PartHolder,
+        number: int | None,
         carrier: str,
-        violation: Violation | None,
+        holder: PartHolder | None = None,
+        violation: Violation | None = None,
         meets: str = "",
-        held_s: float = 0.0,
     ) -> None:
         self._events.append(
             PartEvent(
-                self._times[row],
+                time_s,
                 change,
-                part,
+                "" if number is None else self._name(number),
                 carrier,
-                gripper.robot,
-                gripper.signals,
+                0 if holder is None else holder.robot,
+                () if holder is None else holder.signals,
                 violation,
                 meets,
-                held_s,
+                0.0 if number is None else time_s - self._parts[number].since_s,
             )
         )
 

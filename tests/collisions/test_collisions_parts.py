@@ -5,7 +5,6 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Any
 
-import pytest
 from collision_cells import cell, codes, report
 
 SIGNALS = """
@@ -87,9 +86,7 @@ HEAD = r"""MODULE cell
 def found_at(found: dict[str, Any]) -> list[tuple[str, str]]:
     """Code and message of each finding about the cell."""
     return [
-        (one["code"], one["message"])
-        for one in found["diagnostics"]
-        if one["code"].startswith("C")
+        (one["code"], one["message"]) for one in found["diagnostics"] if one["code"].startswith("C")
     ]
 
 

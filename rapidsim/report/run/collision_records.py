@@ -82,6 +82,8 @@ class PartsRecord:
     """All parts."""
     moved: int
     """Parts that were put down somewhere."""
+    delivered: int
+    """Parts that disappeared at a sink."""
     lost: int
     """Parts that were dropped and not taken again."""
     events: tuple[PartEventRecord, ...]
@@ -131,7 +133,7 @@ def _parts(simulation: Simulation, collisions: Collisions) -> PartsRecord:
         events.append(
             PartEventRecord(one.time_s, one.change, one.part, one.carrier, file, line, routine)
         )
-    return PartsRecord(counts.total, counts.moved, counts.lost, tuple(events))
+    return PartsRecord(counts.total, counts.moved, counts.delivered, counts.lost, tuple(events))
 
 
 def contact_records(simulation: Simulation) -> tuple[ContactRecord, ...]:

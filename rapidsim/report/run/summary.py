@@ -245,8 +245,10 @@ def _collisions(simulation: Simulation, collisions: Collisions) -> Text:
 
 def _parts(counts: PartCounts) -> Text:
     """Number of parts, and of those that were moved and lost."""
-    lost = f", {counts.lost} lost" if counts.lost else ""
-    return Text(f"{counts.total}: {counts.moved} moved{lost}", "red" if lost else "")
+    said = f"{counts.total}: {counts.moved} moved"
+    said += f", {counts.delivered} delivered" if counts.delivered else ""
+    said += f", {counts.lost} lost" if counts.lost else ""
+    return Text(said, "red" if counts.lost else "")
 
 
 def shape_margins(simulation: Simulation, collisions: Collisions) -> list[str]:

@@ -83,8 +83,9 @@ class Collisions:
     @property
     def part_counts(self) -> PartCounts:
         """Numbers of parts that were moved and lost."""
-        names = [self.scene.bodies[part].label.name for part in self.parts]
-        return part_counts(names, self.part_events)
+        bodies = (self.scene.bodies[part] for part in self.parts)
+        total = sum(body.from_s < body.until_s for body in bodies)
+        return part_counts(total, self.part_events)
 
     @property
     def pair_count(self) -> int:

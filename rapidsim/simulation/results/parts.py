@@ -21,6 +21,10 @@ class PartChange(StrEnum):
     PLACED = "placed"
     DROPPED = "dropped"
     MISSED = "missed"
+    APPEARED = "appeared"
+    BLOCKED = "blocked"
+    """It could not appear, as its place is occupied."""
+    DELIVERED = "delivered"
 
 
 @value_class(frozen=True, slots=True)
@@ -53,16 +57,19 @@ class PartCounts:
     """All parts."""
     moved: int
     """Parts that were put down somewhere."""
+    delivered: int
+    """Parts that disappeared at a sink."""
     lost: int
     """Parts that were dropped and not taken again."""
 
 
-def part_counts(names: Sequence[str], events: Sequence[PartEvent]) -> PartCounts:
-    """Count the parts of a run by their events in order of time."""
+def part_counts(total: int, events: Sequence[PartEvent]) -> PartCounts:
+    """Count the parts of a run, of which there is a total, by their events in order of time."""
     last = {one.part: one.change for one in events}
     placed = {one.part for one in events if one.change is PartChange.PLACED}
-    lost = sum(change is PartChange.DROPPED for change in last.values())
-    return PartCounts(len(names), len(placed), lost)
+    ends = [*last.values()]
+    delivered, lost = ends.count(PartChange.DELIVERED), ends.count(PartChange.DROPPED)
+    return PartCounts(total, len(placed), delivered, lost)
 
 
 def place_of(simulation: Simulation, event: PartEvent) -> Place | None:
