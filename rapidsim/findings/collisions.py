@@ -32,6 +32,7 @@ class LeftInTheAir(Violation, code="C105"):
     time_s: float
     below: str
     """Body below it and its distance, for the message."""
+    suggestion: str
 
 
 class NothingGripped(Violation, code="C106"):

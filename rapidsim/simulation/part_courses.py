@@ -37,6 +37,9 @@ _FARTHEST_M = 10.0
 """Distance [m] up to which the nearest part of a gripper is named."""
 _MOVED_M = 5e-3
 """Travel [m] of a body on which a part lies loosely."""
+_PUT = "open the gripper where something is within 5 mm below the part"
+_CLOSE = "close the other gripper on the part before this one opens"
+_FETCH = "take the part before the end, stop the belt, or let a [[sink]] take what arrives there"
 _APPEARS, _CLOSES, _OPENS, _LEAVES = range(4)
 """Order of what happens at one time."""
 
@@ -265,7 +268,7 @@ class _Tracker:
                 said = "nothing is below it"
                 if deep is not None:
                     said = f"{self._name(deep.body)} is {deep.drop_m * _MM:.0f} mm below it"
-                fault = fault or LeftInTheAir(self._name(number), time_s, said)
+                fault = fault or LeftInTheAir(self._name(number), time_s, said, _PUT)
                 self._attach(number, time_s, None, WORLD)
                 self._log(time_s, PartChange.DROPPED, number, "", holder, fault, meets)
                 continue
@@ -321,7 +324,7 @@ class _Tracker:
             return
         assert belt is not None
         said = f"it leaves the end of `{self._cell.conveyors[belt].unit}`"
-        fault = LeftInTheAir(self._name(number), time_s, said)
+        fault = LeftInTheAir(self._name(number), time_s, said, _FETCH)
         self._parts[number].until_s = time_s
         self._log(time_s, PartChange.DROPPED, number, "", violation=fault)
 
@@ -482,7 +485,7 @@ class _Tracker:
         event = self._events[at]
         if float(np.linalg.norm(way)) >= _MOVED_M and event.violation is None:
             said = f"{event.carrier}, on which it lies, moves on without a grip on it"
-            fault = LeftInTheAir(event.part, event.time_s, said)
+            fault = LeftInTheAir(event.part, event.time_s, said, _CLOSE)
             self._events[at] = replace(event, change=PartChange.DROPPED, violation=fault)
 
     def _name(self, body: int) -> str:
