@@ -46,6 +46,8 @@ class Arrival:
     time_s: float
     belt: int | None = None
     """Index of the belt on which it appears; None for a source."""
+    signals: tuple[str, ...] = ()
+    """Signals that make it."""
 
 
 class CellBodies:
@@ -142,10 +144,15 @@ class CellBodies:
         """Return the appearances of copies by the folded name of the object."""
         found: dict[str, list[Arrival]] = {}
         for source in geometry.sources:
-            times = [*source.times, *self.begins(source.when, f"`{source.object}`")]
+            times = [*source.times]
             if source.first_s is not None:
                 times += _series(source.first_s, source.every_s, self.end_s)
-            found.setdefault(source.object.lower(), []).extend(map(Arrival, times))
+            copies = [Arrival(time_s) for time_s in times]
+            if source.when:
+                signals = read_condition(source.when).signals()
+                begins = self.begins(source.when, f"`{source.object}`")
+                copies += [Arrival(time_s, None, signals) for time_s in begins]
+            found.setdefault(source.object.lower(), []).extend(copies)
         names = {item.name.lower() for item in geometry.objects}
         for number, (conveyor, belt) in enumerate(zip(self.conveyors, self.belts, strict=True)):
             for name in (conveyor.arrival, conveyor.surface):

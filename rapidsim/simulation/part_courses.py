@@ -185,7 +185,15 @@ class _Tracker:
         meets = self._occupant(number, time_s)
         if meets:
             fault = PlaceOccupied(self._name(number), f"{meets} is there already", time_s)
-            self._log(time_s, PartChange.BLOCKED, number, "", violation=fault, meets=meets)
+            self._log(
+                time_s,
+                PartChange.BLOCKED,
+                number,
+                "",
+                violation=fault,
+                meets=meets,
+                signals=arrival.signals,
+            )
             return
         part.from_s, part.until_s = time_s, np.inf
         first = part.carried[0]
@@ -500,6 +508,7 @@ class _Tracker:
         holder: PartHolder | None = None,
         violation: Violation | None = None,
         meets: str = "",
+        signals: tuple[str, ...] = (),
     ) -> None:
         self._events.append(
             PartEvent(
@@ -508,7 +517,7 @@ class _Tracker:
                 "" if number is None else self._name(number),
                 carrier,
                 0 if holder is None else holder.robot,
-                () if holder is None else holder.signals,
+                signals if holder is None else holder.signals,
                 violation,
                 meets,
                 0.0 if number is None else time_s - self._parts[number].since_s,

@@ -1,120 +1,144 @@
-"""Parts of a cell: what carries them, and what a run says where one is not as the program means."""
+"""Parts of a cell: what carries them, and what a run says where one is not as the program means.
+
+Each procedure of `cells/shop/shop.mod` and `cells/tools/tools.mod` is a cell of its own: those
+called good_ have no fault, the others one, on the line that says so. `cells/hand_over` has two
+robots.
+"""
 
 from __future__ import annotations
 
+import json
+import re
+from functools import cache
 from pathlib import Path
-from typing import Any
 
-from collision_cells import cell, codes, report
+import jsonschema
+import pytest
+from command_line import call
 
-SIGNALS = """
-[signals]
-doGrip = { type = "do" }
-doGrip2 = { type = "do" }
-doLock = { type = "do" }
-"""
-TURNTABLE = """
-[[external_axis]]
-name = "STN1"
-axis = "b"
-kind = "rotational"
-limits = [-200, 200]
-speed = 90
-acceleration = 360
-carries = "wobj"
-frame = { position = [700, 0, 400] }
+import rapidsim
+from rapidsim.api.run import Run
+from rapidsim.api.schemas import json_schema
 
-[[object]]
-name = "plate"
-cylinder = { diameter = 560, length = 20 }
-pose = { position = [0, 0, -10] }
-parent = "unit:STN1"
-
-[[object]]
-name = "stand"
-box = [200, 200, 100]
-pose = { position = [450, 600, 350] }
-"""
-PART = """
-[[object]]
-name = "part"
-box = [50, 50, 80]
-pose = { position = [450, 600, 440] }
-
-[[object]]
-name = "gripper"
-box = [40, 40, 100]
-pose = { position = [0, 0, 50] }
-parent = "tool"
-
-[[attach]]
-when = "doGrip = 1"
-object = "part"
-to = "tool"
-"""
-HEAD = r"""MODULE cell
-  PERS tooldata tGrip:=[TRUE,[[0,0,100],[1,0,0,0]],[1,[0,0,50],[1,0,0,0],0,0,0]];
-  PERS wobjdata wTable:=[FALSE,FALSE,"STN1",[[0,0,0],[1,0,0,0]],[[0,0,0],[1,0,0,0]]];
-  CONST robtarget onStand:=[[450,600,480],[0,0,1,0],[0,0,0,0],[9E9,0,9E9,9E9,9E9,9E9]];
-  CONST robtarget onPlate:=[[-200,0,80],[0,0,1,0],[0,0,0,0],[9E9,0,9E9,9E9,9E9,9E9]];
-  PROC grip(robtarget at,PERS wobjdata where)
-    MoveJ Offs(at,0,0,100),v1000,fine,tGrip\WObj:=where;
-    MoveL at,v500,fine,tGrip\WObj:=where;
-    SetDO doGrip,1;
-    WaitTime 0.1;
-    MoveL Offs(at,0,0,100),v500,fine,tGrip\WObj:=where;
-  ENDPROC
-  PROC put(robtarget at,PERS wobjdata where)
-    MoveJ Offs(at,0,0,100),v1000,fine,tGrip\WObj:=where;
-    MoveL at,v500,fine,tGrip\WObj:=where;
-    SetDO doGrip,0;
-    WaitTime 0.1;
-    MoveL Offs(at,0,0,100),v500,fine,tGrip\WObj:=where;
-  ENDPROC
-  PROC turn(num angle)
-    VAR robtarget there;
-    there:=CRobT(\Tool:=tGrip\WObj:=wobj0);
-    there.extax.eax_b:=angle;
-    MoveJ there,v1000,fine,tGrip;
-  ENDPROC
-  PROC main()
-    ConfJ\Off;
-    ConfL\Off;
-"""
+CELLS = Path(__file__).parent / "cells"
+SHOP, TOOLS = CELLS / "shop" / "shop.mod", CELLS / "tools" / "tools.mod"
+LEFT, RIGHT = CELLS / "hand_over" / "left.mod", CELLS / "hand_over" / "right.mod"
+FAULTS = {
+    "air": "C106",
+    "turned_away": "C106",
+    "vice_full": "C107",
+    "conveyor_passed": "C106",
+    "conveyor_missed": "C105",
+    "early": "C105",
+    "second_part": "C101",
+    "source_empty": "C106",
+    "source_blocked": "C107",
+    "sink_full": "C107",
+    "wrong_tool": "C106",
+    "second_in_gripper": "C107",
+    "without_the_tool": "C106",
+}
 
 
-def found_at(found: dict[str, Any]) -> list[tuple[str, str]]:
-    """Code and message of each finding about the cell."""
+@cache
+def cell(file: Path) -> rapidsim.Cell:
+    return rapidsim.load(file)
+
+
+@cache
+def run_of(file: Path, procedure: str) -> Run:
+    return cell(file).run(proc=procedure)
+
+
+def findings(run: Run) -> list[tuple[str, int | None]]:
+    """Code and line of each finding about bodies."""
+    return [(one.code, one.line) for one in run.simulation.diagnostics if one.code[0] == "C"]
+
+
+def events(run: Run) -> list[tuple[str, str]]:
+    """Kind and carrier of each event of a part."""
+    assert run.simulation.collisions is not None
+    return [(one.change.value, one.carrier) for one in run.simulation.collisions.part_events]
+
+
+def procedures() -> list[tuple[Path, str]]:
     return [
-        (one["code"], one["message"]) for one in found["diagnostics"] if one["code"].startswith("C")
+        (file, name)
+        for file in (SHOP, TOOLS)
+        for name in re.findall(r"PROC (\w+)\(\)", file.read_text(encoding="utf-8"))
+        if name != "up"
     ]
 
 
-def test_a_part_turns_with_the_table_it_is_put_on(tmp_path: Path) -> None:
-    moves = """    grip onStand,wobj0;
-    put onPlate,wTable;
-    turn 180;
-    grip [[-200,0,80],[0,0,1,0],[0,0,0,0],[9E9,180,9E9,9E9,9E9,9E9]],wTable;
-    put [[450,600,482],[0,0,1,0],[0,0,0,0],[9E9,180,9E9,9E9,9E9,9E9]],wobj0;"""
-    cell(tmp_path, moves, SIGNALS + TURNTABLE + PART, HEAD)
-    found = report(tmp_path, 0)
-    assert not codes(found)
-    parts = found["parts"]
-    assert (parts["made"], parts["moved"], parts["lost"]) == (1, 1, 0)
-    assert [(one["change"], one["carrier"]) for one in parts["events"]] == [
+GOOD = [one for one in procedures() if one[1].startswith("good_")]
+FAULTY = [one for one in procedures() if not one[1].startswith("good_")]
+
+
+@pytest.mark.parametrize(("file", "procedure"), GOOD, ids=[name for _, name in GOOD])
+def test_a_good_cell_is_silent(file: Path, procedure: str) -> None:
+    run = run_of(file, procedure)
+    assert run.end == "ended"
+    assert not findings(run)
+
+
+@pytest.mark.parametrize(("file", "procedure"), FAULTY, ids=[name for _, name in FAULTY])
+def test_a_fault_is_found_on_its_line(file: Path, procedure: str) -> None:
+    lines = file.read_text(encoding="utf-8").splitlines()
+    begin = next(k for k, line in enumerate(lines) if f"PROC {procedure}()" in line)
+    line = next(k for k in range(begin, len(lines)) if "! fault" in lines[k]) + 1
+    assert findings(run_of(file, procedure)) == [(FAULTS[procedure], line)]
+
+
+def test_a_part_is_handed_over_and_falls_if_the_other_gripper_is_open() -> None:
+    assert not findings(cell(LEFT).run())
+    texts = {
+        LEFT: LEFT.read_text(encoding="utf-8").replace("WaitDO doRight", "WaitDO doBlind"),
+        RIGHT: RIGHT.read_text(encoding="utf-8").replace("SetDO doRight", "SetDO doBlind"),
+    }
+    lines = texts[LEFT].splitlines()
+    line = next(k for k, text in enumerate(lines, 1) if "! fault" in text)
+    assert findings(rapidsim.load(LEFT, texts=texts).run()) == [("C105", line)]
+
+
+def test_a_check_of_all_tasks_knows_the_parts_and_units_of_the_others() -> None:
+    assert not [one for one in cell(LEFT).check().diagnostics if one.code[0] == "C"]
+
+
+def test_parts_move_with_what_carries_them() -> None:
+    assert events(run_of(SHOP, "good_turn")) == [
         ("gripped", "the gripper"),
         ("placed", "`plate`"),
         ("gripped", "the gripper"),
         ("placed", "`stand`"),
     ]
+    assert events(run_of(SHOP, "good_clamp"))[1:3] == [("gripped", "`STN1`"), ("placed", "`plate`")]
+    assert [carrier for _, carrier in events(run_of(TOOLS, "good_tool_change"))] == [
+        "the gripper",
+        "`sucker`",
+        "`table`",
+        "`stand`",
+    ]
 
 
-def test_a_part_that_was_turned_away_is_not_where_it_was_put(tmp_path: Path) -> None:
-    moves = """    grip onStand,wobj0;
-    put onPlate,wTable;
-    turn 180;
-    grip [[500,0,480],[0,0,1,0],[0,0,0,0],[9E9,180,9E9,9E9,9E9,9E9]],wobj0;"""
-    cell(tmp_path, moves, SIGNALS + TURNTABLE + PART, HEAD)
-    found = report(tmp_path, 1)
-    assert codes(found) == ["C106"]
-    assert "`part`, is 3" in found_at(found)[0][1]
+def test_sources_and_sinks_count(tmp_path: Path) -> None:
+    simulation = run_of(SHOP, "good_box").simulation
+    assert simulation.collisions is not None
+    counts = simulation.collisions.part_counts
+    assert (counts.total, counts.moved, counts.delivered, counts.lost) == (3, 3, 2, 0)
+    assert events(run_of(SHOP, "good_outfeed"))[-1] == ("delivered", "")
+    said = call("run", str(SHOP), "--proc", "good_box", "--no-record", cwd=tmp_path).out
+    assert "3: 3 moved, 2 delivered" in said
+
+
+def test_a_run_records_its_parts_as_json(tmp_path: Path) -> None:
+    command = ("run", str(SHOP), "--proc", "early", "--no-record", "--format", "json")
+    ended = call(*command, cwd=tmp_path)
+    assert ended.code == 1
+    found = json.loads(ended.out)
+    jsonschema.validate(found, json_schema("run"))
+    parts = found["parts"]
+    assert (parts["made"], parts["moved"], parts["delivered"], parts["lost"]) == (2, 0, 0, 1)
+    assert [(one["change"], one["line"]) for one in parts["events"]] == [
+        ("gripped", 23),
+        ("dropped", found["diagnostics"][-1]["line"]),
+    ]

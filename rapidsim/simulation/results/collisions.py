@@ -13,6 +13,7 @@ from rapidsim.collisions.scene import Body, Scene
 from rapidsim.simulation.results.parts import PartCounts, PartEvent, part_counts
 from rapidsim.values import value_class
 
+_AT_ONCE_S = 0.5
 _WIDEST_M = 10.0
 """Wider objects are floors or walls, which would hide the rest of a picture."""
 
@@ -24,6 +25,8 @@ class _Crash:
     robot: int
     move: int
     """Its last move."""
+    last_s: float
+    """Time [s] of its last contact."""
     bodies: set[str]
     contacts: list[Contact]
 
@@ -108,8 +111,8 @@ def _crashes(
 ) -> Iterator[tuple[Contact, ...]]:
     """Yield the contacts of each crash in order of time.
 
-    A crash goes on while one of its bodies meets others in the same move, or in the next one if
-    they still touch. Parts that meet where a place is taken are reported with that place.
+    A crash goes on while one of its bodies meets others within half a second, in the same move, or
+    in the next one if they still touch. Parts that meet where a place is taken are reported with that place.
     """
     taken = [event for event in events if event.meets]
     crashes: list[_Crash] = []
@@ -125,16 +128,23 @@ def _crashes(
             (
                 crash
                 for crash in reversed(crashes)
-                if crash.robot == contact.robot
-                and crash.bodies & names
-                and crash.move >= contact.move - contact.continued
+                if crash.bodies & names
+                and (
+                    contact.time_s <= crash.last_s + _AT_ONCE_S
+                    or (
+                        crash.robot == contact.robot
+                        and crash.move >= contact.move - contact.continued
+                    )
+                )
             ),
             None,
         )
         if crash is None:
-            crash = _Crash(contact.robot, contact.move, set(), [])
+            crash = _Crash(contact.robot, contact.move, contact.time_s, set(), [])
             crashes.append(crash)
-        crash.move = max(crash.move, contact.move)
+        if crash.robot == contact.robot:
+            crash.move = max(crash.move, contact.move)
+        crash.last_s = contact.time_s
         crash.bodies |= names
         if not contact.continued:
             crash.contacts.append(contact)
