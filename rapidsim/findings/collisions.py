@@ -58,6 +58,11 @@ class CollisionNotRun(Violation, code="C104"):
     """Suggested remedy; empty without one."""
 
 
+def is_of_parts(finding: Diagnostic) -> bool:
+    """Whether a finding depends on all that has happened to a part of the cell before."""
+    return isinstance(finding.violation, (LeftInTheAir, NothingGripped, PlaceOccupied))
+
+
 def is_of_cell(finding: Diagnostic) -> bool:
     """Whether a finding depends on all robots of a cell: it is one of bodies in a run."""
     return finding.code.startswith("C") and not isinstance(finding.violation, CollisionNotRun)

@@ -17,7 +17,7 @@ from rapidsim.analysis.program import Program
 from rapidsim.controller.moves.executed_move import ExecutedMove
 from rapidsim.diagnostics import Diagnostic, Severity, Span
 from rapidsim.files import InputError
-from rapidsim.findings.collisions import is_of_cell
+from rapidsim.findings.collisions import is_of_cell, is_of_parts
 from rapidsim.findings.guidance import NobodyGuides
 from rapidsim.findings.reach_and_motion_data import MainAxesSwitched
 from rapidsim.findings.runs import (
@@ -251,7 +251,8 @@ def run_all_tasks(setups: Sequence[TaskSetup], options: RunOptions) -> CellRun |
         return None
     of_bodies = None
     if run.collisions is not None:
-        of_bodies = tuple(one for one in run.diagnostics if is_of_cell(one))
+        found = (one for one in run.diagnostics if is_of_cell(one))
+        of_bodies = tuple(_as_sure(one, run, programs, options) for one in found)
     if _lacked(run, programs):
         return CellRun(None, of_bodies)
     if _was_to_be_answered(run):
@@ -260,8 +261,8 @@ def run_all_tasks(setups: Sequence[TaskSetup], options: RunOptions) -> CellRun |
     errors = [one for one in errors if not is_of_cell(one)]
     if run.end is End.TIME_LIMIT and not errors:
         return CellRun(None, of_bodies)
-    found = tuple(_as_sure(one, run, programs, options) for one in errors if not _of_text(one))
-    return CellRun(found, of_bodies)
+    reported = tuple(_as_sure(one, run, programs, options) for one in errors if not _of_text(one))
+    return CellRun(reported, of_bodies)
 
 
 def _limited(options: RunOptions, longest_s: float, work_s: float) -> RunOptions:
@@ -365,7 +366,7 @@ def _as_sure(
     finding = doubt_valueless(finding, programs)
     at = finding.span
     is_of_move = moves is None or (at is not None and any(map(at.begins_in, moves)))
-    is_sure = is_of_move and not _of_run(finding)
+    is_sure = is_of_move and not _of_run(finding) and not is_of_parts(finding)
     return finding if is_sure else _doubted(finding, run, programs, options)
 
 

@@ -10,6 +10,7 @@ from __future__ import annotations
 import json
 import re
 from functools import cache
+from os import PathLike
 from pathlib import Path
 
 import jsonschema
@@ -91,7 +92,7 @@ def test_a_fault_is_found_on_its_line(file: Path, procedure: str) -> None:
 
 def test_a_part_is_handed_over_and_falls_if_the_other_gripper_is_open() -> None:
     assert not findings(cell(LEFT).run())
-    texts = {
+    texts: dict[str | PathLike[str], str] = {
         LEFT: LEFT.read_text(encoding="utf-8").replace("WaitDO doRight", "WaitDO doBlind"),
         RIGHT: RIGHT.read_text(encoding="utf-8").replace("SetDO doRight", "SetDO doBlind"),
     }

@@ -112,7 +112,8 @@ def _crashes(
     """Yield the contacts of each crash in order of time.
 
     A crash goes on while one of its bodies meets others within half a second, in the same move, or
-    in the next one if they still touch. Parts that meet where a place is taken are reported with that place.
+    in the next one if they still touch. Parts that meet at a place that is taken are reported with
+    that place.
     """
     taken = [event for event in events if event.meets]
     crashes: list[_Crash] = []
