@@ -254,7 +254,11 @@ class _Search:
         owner, before, after = self._moves(some)
         touches = least < -TOUCH_M
         long = (self._lasts(some) > SHORTEST_S) | ~some.seen
-        wanted = np.maximum(self._wanted[owner, before], self._wanted[owner, after])
+        of_moves = [
+            np.where(self._travel.stirs(some.pair, owner, move), self._wanted[owner, move], -np.inf)
+            for move in (before, after)
+        ]
+        wanted = np.maximum(*of_moves)
         wanted[self._many_moves(some)] = FARTHEST_M
         nearer = ~self._touch_only[some.pair] & (least < wanted)
         if self._touch:
@@ -263,8 +267,7 @@ class _Search:
             nearer &= ~over
         times, pair = self._poses.times, some.pair
         long &= (times[some.start] < self._until[pair]) & (times[some.end] > self._from[pair])
-        stirs = self._travel.stirs(pair, owner, before) | self._travel.stirs(pair, owner, after)
-        return touches & long, nearer & long & stirs
+        return touches & long, nearer & long
 
     def _touched(self, pair: Index, move: Index) -> Array:
         """Return the times (k,) [s] of the first contact of pairs in a move; inf for none."""

@@ -18,7 +18,9 @@ from rapidsim.frames.transform import Array, Transform
 
 _SAFETY = 2.0
 _NEIGHBOURS = 2
-_STIRS_M = 1e-4
+_BRIEF = 4
+"""Number of instants below which the steps before and after a move count as well."""
+_STIRS_M = 1e-6
 """Relative travel [m] in a move below which two bodies are at rest against each other."""
 _LEVELS = 5
 """Exponent of the longest interval in steps, plus one."""
@@ -99,7 +101,7 @@ def _stirring(move: Index, travel: Array) -> tuple[Index, npt.NDArray[np.bool_]]
     steps, total = np.diff(travel, axis=0), np.zeros((len(moves), travel.shape[1]))
     within = at[1:] == at[:-1]
     np.add.at(total, at[1:][within], steps[within])
-    brief = np.bincount(at) == 1
+    brief = np.bincount(at) < _BRIEF
     for end in (at[1:], at[:-1]):
         of_brief = brief[end]
         np.add.at(total, end[of_brief], steps[of_brief])
