@@ -143,3 +143,52 @@ def test_a_run_records_its_parts_as_json(tmp_path: Path) -> None:
         ("gripped", 23),
         ("dropped", found["diagnostics"][-1]["line"]),
     ]
+
+
+WRONG = """
+[[object]]
+name = "part"
+box = [50, 50, 80]
+
+[[attach]]
+when = "doGrip = 1"
+object = "pert*"
+to = "tool"
+
+[[attach]]
+when = "doGrip = 1"
+object = "part"
+to = "tool:griper"
+
+[[attach]]
+when = "doGrip = 1"
+object = "part"
+to = "world"
+
+[[source]]
+object = "part"
+
+[[source]]
+object = "port"
+every = 2
+
+[[sink]]
+on = "bin"
+"""
+
+
+def test_mistakes_in_tables_of_parts_are_told_at_once(tmp_path: Path) -> None:
+    (tmp_path / "rapidsim.toml").write_text(WRONG, encoding="utf-8")
+    (tmp_path / "some.mod").write_text("MODULE some\nENDMODULE\n", encoding="utf-8")
+    said = call("check", "some.mod", cwd=tmp_path)
+    assert said.code == 2
+    words = " ".join(said.err.split())
+    for problem in (
+        "there is no object `pert*`",
+        "there is no object `griper`",
+        "`world` is none of `tool`, `tool:NAME`",
+        "give `at`, `every`, `times` or `when`",
+        "there is no object `port`",
+        "there is no object `bin`",
+    ):
+        assert problem in words, words
