@@ -70,7 +70,7 @@ class Attachment:
 
 
 @value_class(frozen=True, slots=True)
-class Source:
+class PartSource:
     """Appearance of copies of an object at its pose."""
 
     object: str
@@ -113,7 +113,7 @@ class CellGeometry:
 
     objects: tuple[CellObject, ...] = ()
     attachments: tuple[Attachment, ...] = ()
-    sources: tuple[Source, ...] = ()
+    sources: tuple[PartSource, ...] = ()
     sinks: tuple[Sink, ...] = ()
     ignored: tuple[IgnoredPair, ...] = ()
     clearance_m: float = 0.0

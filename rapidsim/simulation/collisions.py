@@ -14,7 +14,7 @@ from rapidsim.diagnostics import Diagnostic, Related
 from rapidsim.findings.collisions import Collision, LowClearance, NotJudged
 from rapidsim.simulation.cell_scene import cell_scene
 from rapidsim.simulation.results.collisions import Collisions
-from rapidsim.simulation.results.parts import place_of
+from rapidsim.simulation.results.part_statements import place_of
 from rapidsim.simulation.results.simulation import RobotRun, Simulation
 
 _MM = 1e3

@@ -9,7 +9,7 @@ time grippers close before others open, as a part that changes hands is never lo
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import field, replace
 from functools import partial
 from heapq import heappop, heappush
@@ -18,23 +18,19 @@ from itertools import count
 import numpy as np
 
 from rapidsim.collisions.body_distance import Bodies
-from rapidsim.collisions.overlap import TOUCH_M
 from rapidsim.collisions.scene import WORLD, AttachedBody, SceneFrame
-from rapidsim.collisions.support import DEEPEST_M, RESTS_M, Support, support
+from rapidsim.collisions.support import DEEPEST_M
 from rapidsim.diagnostics import Violation
 from rapidsim.findings.collisions import LeftInTheAir, NothingGripped, PlaceOccupied
-from rapidsim.frames.transform import Array, Transform
+from rapidsim.frames.transform import Transform
 from rapidsim.motion.configurations.targets import MM
 from rapidsim.simulation.cell_bodies import CellBodies
-from rapidsim.simulation.cell_frames import CellFrames
+from rapidsim.simulation.part_places import FARTHEST_M, PartPlaces
 from rapidsim.simulation.part_supply import PartHolder, PartSink
 from rapidsim.simulation.results.parts import PartChange, PartEvent
 from rapidsim.values import value_class
 
 _MM = 1e3
-_UP = np.array([0.0, 0.0, 1.0])
-_FARTHEST_M = 10.0
-"""Distance [m] up to which the nearest part of a gripper is named."""
 _MOVED_M = 5e-3
 """Travel [m] of a body on which a part lies loosely."""
 _PUT = "open the gripper where something is within 5 mm below the part"
@@ -82,23 +78,6 @@ def part_courses(
     return _Tracker(cell, distances, holders, sinks).courses()
 
 
-@value_class(slots=True, eq=False)
-class _Part:
-    """State of a part."""
-
-    carried: list[AttachedBody]
-    from_s: float = -np.inf
-    until_s: float = np.inf
-    holder: PartHolder | None = None
-    """Gripper or clamp that holds it."""
-    since_s: float = 0.0
-    """Time [s] at which that closed."""
-    below: int | None = None
-    """Body that it rests on, or that holds it."""
-    loose: tuple[int, float] | None = None
-    """Event and time [s] at which it was put on a gripper that has not closed on it."""
-
-
 _Act = Callable[[float], None]
 
 
@@ -122,34 +101,27 @@ class _Tracker:
         holders: Sequence[PartHolder],
         sinks: Sequence[PartSink],
     ) -> None:
-        self._cell, self._distances = cell, distances
-        self._holders, self._sinks = holders, sinks
+        self._cell, self._holders, self._sinks = cell, holders, sinks
         self._queue = _Queue()
-        numbers = {part for holder in holders for part in holder.parts} | cell.arrivals.keys()
-        self._parts = {
-            number: _Part([cell.bodies[number].carried[0]]) for number in sorted(numbers)
-        }
+        self._at = PartPlaces(cell, distances, holders)
         self._events: list[PartEvent] = []
-        used = {one.frame for body in cell.bodies for one in body.carried}
-        used |= {holder.frame for holder in holders}
-        self._frames = CellFrames(cell.arms, cell.runs, cell.belts, used)
 
     def courses(self) -> PartCourses:
         """Return carriers and events of the parts."""
-        if not self._parts:
+        if not self._at.parts:
             return PartCourses({}, ())
         self._begin()
         while self._queue.heap and self._queue.heap[0][0] <= self._cell.end_s:
             time_s, _, _, act = heappop(self._queue.heap)
             act(time_s)
-        for number in self._parts:
+        for number in self._at.parts:
             self._settle(number, self._cell.end_s)
         courses = {}
-        for number, part in self._parts.items():
+        for number, part in self._at.parts.items():
             carried = self._cell.bodies[number].carried
             if len(part.carried) > 1 or number in self._cell.arrivals:
                 if len(carried) > 1:
-                    name = self._name(number)
+                    name = self._at.name(number)
                     self._cell.remarks.append(f"{name}: its work object changes as it is carried")
                 carried = tuple(part.carried)
             courses[number] = PartCourse(carried, part.from_s, part.until_s)
@@ -158,7 +130,7 @@ class _Tracker:
     def _begin(self) -> None:
         """Queue what the signals and the clock do to the parts."""
         for number, arrival in self._cell.arrivals.items():
-            self._parts[number].from_s = self._parts[number].until_s = np.inf
+            self._at.parts[number].from_s = self._at.parts[number].until_s = np.inf
             self._queue.add(arrival.time_s, _APPEARS, partial(self._appear, number))
         for holder in self._holders:
             for time_s, closes in holder.changes:
@@ -168,23 +140,17 @@ class _Tracker:
         for sink in self._sinks:
             for time_s in sink.empties:
                 self._queue.add(time_s, _LEAVES, partial(self._empty, sink))
-        self._frames.prefetch([time_s for time_s, *_ in self._queue.heap] + [0.0])
-        for number, part in self._parts.items():
+        self._at.frames.prefetch([time_s for time_s, *_ in self._queue.heap] + [0.0])
+        for number, part in self._at.parts.items():
             if part.until_s == np.inf and part.from_s == -np.inf:
-                below = self._support(number, 0.0, self._present(0.0))
+                below = self._at.support(number, 0.0, self._at.present(0.0))
                 part.below = None if below is None else below.body
 
-    def _present(self, time_s: float) -> list[int]:
-        """Indices of the parts that exist."""
-        return [
-            number for number, part in self._parts.items() if part.from_s <= time_s < part.until_s
-        ]
-
     def _appear(self, number: int, time_s: float) -> None:
-        part, arrival = self._parts[number], self._cell.arrivals[number]
-        meets = self._occupant(number, time_s)
+        part, arrival = self._at.parts[number], self._cell.arrivals[number]
+        meets = self._at.occupant(number, time_s)
         if meets:
-            fault = PlaceOccupied(self._name(number), f"{meets} is there already", time_s)
+            fault = PlaceOccupied(self._at.name(number), f"{meets} is there already", time_s)
             self._log(
                 time_s,
                 PartChange.BLOCKED,
@@ -198,15 +164,15 @@ class _Tracker:
         part.from_s, part.until_s = time_s, np.inf
         first = part.carried[0]
         part.carried[0] = replace(first, from_s=time_s)
-        found = self._support(number, time_s, self._bodies(time_s))
+        found = self._at.support(number, time_s, self._at.bodies(time_s))
         carrier = ""
         if arrival.belt is not None:
             part.carried.clear()
             self._attach(number, time_s, None, SceneFrame(belt=arrival.belt), first)
             carrier = f"`{self._cell.conveyors[arrival.belt].unit}`"
         elif found is not None:
-            carrier = self._name(found.body)
-            frame = self._frame_on(found.body, time_s)
+            carrier = self._at.name(found.body)
+            frame = self._at.frame_on(found.body, time_s)
             if frame != first.frame:
                 part.carried.clear()
                 self._attach(number, time_s, found.body, frame, first)
@@ -216,16 +182,16 @@ class _Tracker:
     def _close(self, holder: PartHolder, time_s: float) -> None:
         near: list[tuple[float, int]] = []
         taken: list[int] = []
-        present = self._present(time_s)
+        present = self._at.present(time_s)
         for reach in holder.reaches:
             parts = [
                 part
                 for part in reach.parts
                 if part in present
                 and part != holder.body
-                and self._parts[part].holder is not holder
+                and self._at.parts[part].holder is not holder
             ]
-            distances = self._distances_from(holder, parts, time_s)
+            distances = self._at.distances_from(holder, parts, time_s)
             near += zip(distances.tolist(), parts, strict=True)
             if parts and distances.min() <= reach.distance_m:
                 taken.append(parts[int(distances.argmin())])
@@ -234,17 +200,17 @@ class _Tracker:
         for number in dict.fromkeys(taken):
             fault: Violation | None = None
             others = [
-                self._name(other)
-                for other, one in self._parts.items()
+                self._at.name(other)
+                for other, one in self._at.parts.items()
                 if holder.body is not None and one.holder and one.holder.body == holder.body
             ]
             if others:
                 where = f"{holder.name} holds {others[0]} already"
-                fault = PlaceOccupied(self._name(number), where, time_s)
+                fault = PlaceOccupied(self._at.name(number), where, time_s)
             self._settle(number, time_s)
-            part, frame = self._parts[number], holder.frame
-            if holder.body in self._parts:
-                frame = self._parts[holder.body].carried[-1].frame
+            part, frame = self._at.parts[number], holder.frame
+            if holder.body in self._at.parts:
+                frame = self._at.parts[holder.body].carried[-1].frame
             part.holder, part.since_s = holder, time_s
             self._attach(number, time_s, holder.body, frame)
             self._log(time_s, PartChange.GRIPPED, number, holder.name, holder, fault)
@@ -255,37 +221,37 @@ class _Tracker:
             distance_m, number = min(near)
             where = f"is {distance_m * _MM:.1f} mm away"
             if not np.isfinite(distance_m):
-                where = f"is more than {_FARTHEST_M * _MM:g} mm away"
-            said = f"the nearest part, {self._name(number)}, {where}"
+                where = f"is more than {FARTHEST_M * _MM:g} mm away"
+            said = f"the nearest part, {self._at.name(number)}, {where}"
         fault = NothingGripped(holder.name, time_s, said)
         self._log(time_s, PartChange.MISSED, None, holder.name, holder, fault)
 
     def _open(self, holder: PartHolder, time_s: float) -> None:
-        for number, part in self._parts.items():
+        for number, part in self._at.parts.items():
             if part.holder is not holder:
                 continue
             part.holder = None
-            below = self._bodies(time_s, holder)
-            found = self._support(number, time_s, below)
+            below = self._at.bodies(time_s, holder)
+            found = self._at.support(number, time_s, below)
             fault: Violation | None = None
-            if meets := self._occupant(number, time_s):
+            if meets := self._at.occupant(number, time_s):
                 where = f"{meets} is there already"
-                fault = PlaceOccupied(self._name(number), where, time_s)
+                fault = PlaceOccupied(self._at.name(number), where, time_s)
             if found is None:
-                deep = self._support(number, time_s, below, DEEPEST_M)
+                deep = self._at.support(number, time_s, below, DEEPEST_M)
                 said = "nothing is below it"
                 if deep is not None:
-                    said = f"{self._name(deep.body)} is {deep.drop_m * _MM:.0f} mm below it"
-                fault = fault or LeftInTheAir(self._name(number), time_s, said, _PUT)
+                    said = f"{self._at.name(deep.body)} is {deep.drop_m * _MM:.0f} mm below it"
+                fault = fault or LeftInTheAir(self._at.name(number), time_s, said, _PUT)
                 self._attach(number, time_s, None, WORLD)
                 self._log(time_s, PartChange.DROPPED, number, "", holder, fault, meets)
                 continue
-            frame = self._frame_on(found.body, time_s)
+            frame = self._at.frame_on(found.body, time_s)
             self._attach(number, time_s, found.body, frame)
-            if self._could_hold(frame, number):
+            if self._at.could_hold(frame, number):
                 part.loose = len(self._events), time_s
             fault = fault or self._put_on_sink(number, found.body, time_s)
-            carrier = self._name(found.body)
+            carrier = self._at.name(found.body)
             self._log(time_s, PartChange.PLACED, number, carrier, holder, fault, meets)
 
     def _put_on_sink(self, number: int, body: int, time_s: float) -> Violation | None:
@@ -294,66 +260,47 @@ class _Tracker:
         for sink in self._sinks:
             if sink.body != body:
                 continue
-            resting = [one for one in self._resting_on(body) if one in self._present(time_s)]
+            resting = [one for one in self._at.resting_on(body) if one in self._at.present(time_s)]
             if sink.capacity is not None and len(resting) > sink.capacity:
-                where = f"{self._name(body)} holds {sink.capacity} already"
-                fault = PlaceOccupied(self._name(number), where, time_s)
+                where = f"{self._at.name(body)} holds {sink.capacity} already"
+                fault = PlaceOccupied(self._at.name(number), where, time_s)
             if not sink.is_emptied and self._cell.belt_of(body) is None:
                 self._leave_later(number, time_s + sink.after_s, self._deliver)
         return fault
 
     def _leave_later(self, number: int, time_s: float, act: Callable[[int, float], None]) -> None:
         """Let something happen to a part unless its carrier changes before."""
-        changes = len(self._parts[number].carried)
+        changes = len(self._at.parts[number].carried)
 
         def leave(now_s: float) -> None:
-            if len(self._parts[number].carried) == changes:
+            if len(self._at.parts[number].carried) == changes:
                 act(number, now_s)
 
         self._queue.add(time_s, _LEAVES, leave)
 
     def _empty(self, sink: PartSink, time_s: float) -> None:
-        present = self._present(time_s)
-        for number in self._resting_on(sink.body):
+        present = self._at.present(time_s)
+        for number in self._at.resting_on(sink.body):
             if number in present:
                 self._deliver(number, time_s)
 
     def _deliver(self, number: int, time_s: float) -> None:
         """Let a part disappear with all parts on it."""
-        for other in (number, *self._riders(number)):
-            self._parts[other].until_s = time_s
+        for other in (number, *self._at.riders(number)):
+            self._at.parts[other].until_s = time_s
             self._log(time_s, PartChange.DELIVERED, other, "")
 
     def _end_of_belt(self, number: int, time_s: float) -> None:
         """Let a part leave the end of a belt: into a sink, or it is lost."""
-        belt = self._parts[number].carried[-1].frame.belt
+        belt = self._at.parts[number].carried[-1].frame.belt
         if any(self._cell.belt_of(sink.body) == belt for sink in self._sinks):
             self._deliver(number, time_s)
             return
         assert belt is not None
         said = f"it leaves the end of `{self._cell.conveyors[belt].unit}`"
-        fault = LeftInTheAir(self._name(number), time_s, said, _FETCH)
-        self._parts[number].until_s = time_s
+        fault = LeftInTheAir(self._at.name(number), time_s, said, _FETCH)
+        self._at.parts[number].until_s = time_s
         self._log(time_s, PartChange.DROPPED, number, "", violation=fault)
-
-    def _resting_on(self, body: int) -> list[int]:
-        return [
-            number
-            for number, part in self._parts.items()
-            if part.below == body and part.holder is None
-        ]
-
-    def _riders(self, number: int) -> list[int]:
-        """Indices of the parts that a part carries, directly or on others."""
-        found: list[int] = []
-        waiting = [number]
-        while waiting:
-            body = waiting.pop()
-            direct = [other for other, part in self._parts.items() if part.below == body]
-            new = [other for other in direct if other not in found and other != number]
-            found += new
-            waiting += new
-        return found
 
     def _attach(
         self,
@@ -372,13 +319,15 @@ class _Tracker:
             frame: The frame.
             first: Pose of a part that appears.
         """
-        frames = self._frames.at(time_s)
-        self._parts[number].below = below
-        for other in (number, *self._riders(number)):
-            now = first if other == number and first is not None else self._carrier(other, time_s)
+        frames = self._at.frames.at(time_s)
+        self._at.parts[number].below = below
+        for other in (number, *self._at.riders(number)):
+            now = (
+                first if other == number and first is not None else self._at.carrier(other, time_s)
+            )
             pose = frames[now.frame] @ now.frame_from_body
             seen = frames[frame].inverse() @ pose
-            self._parts[other].carried.append(AttachedBody(time_s, frame, seen))
+            self._at.parts[other].carried.append(AttachedBody(time_s, frame, seen))
             if frame.belt is not None:
                 self._watch_end(other, frame.belt, seen)
 
@@ -390,114 +339,18 @@ class _Tracker:
             time_s = float(np.interp(end_m, belt.travel, belt.times))
             self._leave_later(number, time_s, self._end_of_belt)
 
-    def _frame_on(self, body: int, time_s: float) -> SceneFrame:
-        """Frame of what rests on a body."""
-        belt = self._cell.belt_of(body)
-        return self._carrier(body, time_s).frame if belt is None else SceneFrame(belt=belt)
-
-    def _carrier(self, body: int, time_s: float) -> AttachedBody:
-        """Return the carrier of a body at an instant."""
-        if body in self._parts:
-            return self._parts[body].carried[-1]
-        first, *later = self._cell.bodies[body].carried
-        begun = [one for one in later if one.from_s <= time_s]
-        return begun[-1] if begun else first
-
-    def _pose(self, body: int, time_s: float) -> Transform:
-        carrier = self._carrier(body, time_s)
-        return self._frames.at(time_s)[carrier.frame] @ carrier.frame_from_body
-
-    def _distances_from(self, holder: PartHolder, parts: Sequence[int], time_s: float) -> Array:
-        """Return the distances (k,) [m] of parts from a holder; inf beyond the farthest."""
-        bodies = [] if holder.body is None else [holder.body]
-        if holder.body is None:
-            bodies = [
-                body
-                for body in self._bodies(time_s)
-                if body not in parts and self._carrier(body, time_s).frame == holder.frame
-            ]
-        poses = [self._pose(body, time_s) for body in bodies]
-        if holder.body is None and holder.is_of_arm:
-            bodies.append(len(self._cell.bodies))
-            poses.append(self._frames.tcp(holder.robot, time_s))
-        if not bodies or not parts:
-            return np.zeros(len(parts))
-        first, second = np.repeat(parts, len(bodies)), np.tile(bodies, len(parts))
-        seen = [pose.inverse() @ self._pose(part, time_s) for part in parts for pose in poses]
-        enough = np.full(len(first), _FARTHEST_M)
-        gaps = self._distances.gaps(first, second, Transform.stacked(seen), enough)
-        found = np.maximum(gaps.distances_found, 0.0).reshape(len(parts), len(bodies))
-        nearest: Array = found.min(axis=1)
-        return nearest
-
-    def _bodies(self, time_s: float, holder: PartHolder | None = None) -> list[int]:
-        """Indices of the bodies that exist, without those of the arm that releases a part."""
-        present = self._present(time_s)
-        return [
-            body
-            for body in range(len(self._cell.bodies))
-            if (body in present or body not in self._parts)
-            and not (
-                holder is not None
-                and holder.is_of_arm
-                and _is_of_arm(self._carrier(body, time_s).frame, holder.robot)
-            )
-        ]
-
-    def _support(
-        self, number: int, time_s: float, bodies: Iterable[int], deepest_m: float = RESTS_M
-    ) -> Support | None:
-        """Return the body below a part."""
-        above = {number, *self._riders(number)}
-        below = np.array([body for body in bodies if body not in above], dtype=np.int64)
-        if not len(below):
-            return None
-        poses = Transform.stacked([self._pose(body, time_s) for body in below.tolist()])
-        here = self._pose(number, time_s)
-        return support(self._distances, number, below, here, poses, deepest_m)
-
-    def _occupant(self, number: int, time_s: float) -> str:
-        """Name of the part that is where another one is put, also when lifted a little; or ""."""
-        others = [
-            other
-            for other in self._present(time_s)
-            if other != number and self._parts[other].holder is None
-        ]
-        if not others:
-            return ""
-        here = self._pose(number, time_s)
-        overlaps = np.ones(len(others), dtype=np.bool_)
-        for up_m in (0.0, RESTS_M):
-            lifted = Transform(here.rotation, here.translation + up_m * _UP)
-            seen = [self._pose(other, time_s).inverse() @ lifted for other in others]
-            first, second = np.full(len(others), number), np.array(others)
-            enough = np.zeros(len(others))
-            gaps = self._distances.gaps(first, second, Transform.stacked(seen), enough)
-            overlaps &= gaps.distances_found < -TOUCH_M
-        return self._name(others[int(overlaps.argmax())]) if overlaps.any() else ""
-
-    def _could_hold(self, frame: SceneFrame, number: int) -> bool:
-        """Whether a frame is that of an arm with a gripper for a part."""
-        return any(
-            holder.is_of_arm and _is_of_arm(frame, holder.robot) and number in holder.parts
-            for holder in self._holders
-        )
-
     def _settle(self, number: int, time_s: float) -> None:
         """Report a part on an open gripper that has moved until an instant."""
-        part = self._parts[number]
+        part = self._at.parts[number]
         if part.loose is None:
             return
         (at, begin_s), part.loose = part.loose, None
-        way = self._pose(number, time_s).translation - self._pose(number, begin_s).translation
+        way = self._at.pose(number, time_s).translation - self._at.pose(number, begin_s).translation
         event = self._events[at]
         if float(np.linalg.norm(way)) >= _MOVED_M and event.violation is None:
             said = f"{event.carrier}, on which it lies, moves on without a grip on it"
             fault = LeftInTheAir(event.part, event.time_s, said, _CLOSE)
             self._events[at] = replace(event, change=PartChange.DROPPED, violation=fault)
-
-    def _name(self, body: int) -> str:
-        return self._cell.bodies[body].label.name
 
     def _log(
         self,
@@ -514,17 +367,12 @@ class _Tracker:
             PartEvent(
                 time_s,
                 change,
-                "" if number is None else self._name(number),
+                "" if number is None else self._at.name(number),
                 carrier,
                 0 if holder is None else holder.robot,
                 signals if holder is None else holder.signals,
                 violation,
                 meets,
-                0.0 if number is None else time_s - self._parts[number].since_s,
+                0.0 if number is None else time_s - self._at.parts[number].since_s,
             )
         )
-
-
-def _is_of_arm(frame: SceneFrame, robot: int) -> bool:
-    """Whether a link of an arm, or its flange, carries a frame; its base is no link."""
-    return frame.robot == robot and not frame.axes and frame.link > 0

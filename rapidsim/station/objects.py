@@ -28,8 +28,8 @@ from rapidsim.collisions.geometry import (
     CellGeometry,
     CellObject,
     ParentKind,
+    PartSource,
     Sink,
-    Source,
 )
 from rapidsim.collisions.meshes.read import IN_METRES, read_mesh
 from rapidsim.collisions.shape import Filling, Shape
@@ -83,16 +83,16 @@ def read_geometry(reader: Reader, station: Table) -> CellGeometry:
     return replace(bodies, **settings)
 
 
-def _sources(reader: Reader, station: Table, objects: Sequence[str]) -> tuple[Source, ...]:
+def _sources(reader: Reader, station: Table, objects: Sequence[str]) -> tuple[PartSource, ...]:
     sources = []
     for path, table in reader.tables(station, "source"):
         one = read_record(reader, SourceTable, table, path)
-        if one is None or not _is_known(reader, f"{path}.object", one.object, objects):
+        if one is None or not _exists(reader, f"{path}.object", one.object, objects):
             continue
         when = one.when.text if one.when else ""
         if not (when or one.times or {"at", "every"} & set(table)):
             reader.wrong(path, "give `at`, `every`, `times` or `when`")
-        sources.append(Source(one.object, one.times, _first_s(table, one), one.every, when))
+        sources.append(PartSource(one.object, one.times, _first_s(table, one), one.every, when))
     return tuple(sources)
 
 
@@ -105,12 +105,12 @@ def _sinks(reader: Reader, station: Table, objects: Sequence[str]) -> tuple[Sink
     sinks = []
     for path, table in reader.tables(station, "sink"):
         one = read_record(reader, SinkTable, table, path)
-        if one is not None and _is_known(reader, f"{path}.on", one.on, objects):
+        if one is not None and _exists(reader, f"{path}.on", one.on, objects):
             sinks.append(Sink(one.on, one.after, one.when.text if one.when else "", one.holds))
     return tuple(sinks)
 
 
-def _is_known(reader: Reader, path: str, name: str, objects: Sequence[str]) -> bool:
+def _exists(reader: Reader, path: str, name: str, objects: Sequence[str]) -> bool:
     if name.lower() in [one.lower() for one in objects]:
         return True
     cure = did_you_mean(name, objects) or f"there are {', '.join(objects) or 'none'}"
@@ -128,10 +128,10 @@ def _attachment(
     matches = tuple(
         name for name in objects if name.lower() == pattern or fnmatchcase(name.lower(), pattern)
     )
-    if not matches and not _is_known(reader, f"{path}.object", attach.object, objects):
+    if not matches and not _exists(reader, f"{path}.object", attach.object, objects):
         return None
     of_tool = attach.to.kind is ParentKind.TOOL and tool
-    if of_tool and not _is_known(reader, f"{path}.to", attach.to.name, objects):
+    if of_tool and not _exists(reader, f"{path}.to", attach.to.name, objects):
         return None
     to = replace(attach.to, robot=attach.robot)
     return Attachment(attach.when.text, matches, to, attach.nearest * MM)

@@ -11,7 +11,8 @@ from rapidsim.frames.transform import Array, Transform
 from rapidsim.json_records.declarations import Key, OrAbsent, Rounded
 from rapidsim.report.run.records import PoseRecord
 from rapidsim.simulation.results.collisions import Collisions
-from rapidsim.simulation.results.parts import PartChange, place_of
+from rapidsim.simulation.results.part_statements import place_of
+from rapidsim.simulation.results.parts import PartChange
 from rapidsim.simulation.results.simulation import Simulation
 from rapidsim.values import value_class
 
@@ -69,6 +70,8 @@ class PartEventRecord:
     """Its name; empty if a gripper closed on nothing."""
     carrier: str
     """The gripper, or the body on which it rests; empty in the air."""
+    task: str
+    """Robot of the gripper; the first one if there is none."""
     file: str | None
     line: int | None
     routine: str | None
@@ -122,18 +125,25 @@ def run_collisions(simulation: Simulation) -> RunCollisions | None:
 
 
 def _parts(simulation: Simulation, collisions: Collisions) -> PartsRecord:
-    counts, events = collisions.part_counts, []
+    counts, events = collisions.part_counts, part_event_records(simulation, collisions)
+    return PartsRecord(counts.total, counts.moved, counts.delivered, counts.lost, events)
+
+
+def part_event_records(
+    simulation: Simulation, collisions: Collisions
+) -> tuple[PartEventRecord, ...]:
+    """The events of parts in order of time."""
+    records = []
     for one in collisions.part_events:
-        place = place_of(simulation, one)
+        task, place = simulation.robots[one.robot].task, place_of(simulation, one)
         file, line, routine = (
             (None, None, None)
             if place is None
             else (place.span.file, place.span.line, place.routine)
         )
-        events.append(
-            PartEventRecord(one.time_s, one.change, one.part, one.carrier, file, line, routine)
-        )
-    return PartsRecord(counts.total, counts.moved, counts.delivered, counts.lost, tuple(events))
+        names = (one.change, one.part, one.carrier)
+        records.append(PartEventRecord(one.time_s, *names, task, file, line, routine))
+    return tuple(records)
 
 
 def contact_records(simulation: Simulation) -> tuple[ContactRecord, ...]:

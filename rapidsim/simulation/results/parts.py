@@ -5,13 +5,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 from enum import StrEnum
 
-from rapidsim.controller.journal.events import EventKind
 from rapidsim.diagnostics import Violation
-from rapidsim.language.moves import Place
-from rapidsim.simulation.results.simulation import Simulation
 from rapidsim.values import value_class
-
-_SAME_TIME_S = 1e-9
 
 
 class PartChange(StrEnum):
@@ -70,26 +65,3 @@ def part_counts(total: int, events: Sequence[PartEvent]) -> PartCounts:
     ends = [*last.values()]
     delivered, lost = ends.count(PartChange.DELIVERED), ends.count(PartChange.DROPPED)
     return PartCounts(total, len(placed), delivered, lost)
-
-
-def place_of(simulation: Simulation, event: PartEvent) -> Place | None:
-    """Return the statement that operated the gripper; None if no statement was executed by then.
-
-    If the cell itself changed the signal, as after the delay of a cross connection, it is the last
-    statement that the task of the robot had come to.
-    """
-    names = {name.lower() for name in event.signals}
-    for one in simulation.events:
-        if (
-            one.kind is EventKind.SIGNAL
-            and abs(one.time_s - event.time_s) <= _SAME_TIME_S
-            and str(one.details.get("signal", "")).lower() in names
-            and one.place is not None
-        ):
-            return one.place
-    executed = [
-        line.place
-        for line in simulation.robots[event.robot].lines
-        if line.time_s <= event.time_s + _SAME_TIME_S
-    ]
-    return executed[-1] if executed else None
