@@ -93,6 +93,7 @@ class PartPlaces:
         return begun[-1] if begun else first
 
     def pose(self, body: int, time_s: float) -> Transform:
+        """Return world from a body at an instant."""
         carrier = self.carrier(body, time_s)
         return self.frames.at(time_s)[carrier.frame] @ carrier.frame_from_body
 
@@ -173,6 +174,7 @@ class PartPlaces:
         )
 
     def name(self, body: int) -> str:
+        """Name of a body in messages."""
         return self.cell.bodies[body].label.name
 
 
