@@ -114,8 +114,9 @@ def test_sources_and_sinks_count(tmp_path: Path) -> None:
     counts = simulation.collisions.part_counts
     assert (counts.total, counts.moved, counts.delivered, counts.lost) == (3, 3, 2, 0)
     assert events(run_of(SHOP, "good_outfeed"))[-1] == ("delivered", "")
-    said = call("run", str(SHOP), "--proc", "good_box", "--no-record", cwd=tmp_path).out
-    assert "3: 3 moved, 2 delivered" in said
+    command = ("run", str(SHOP), "--proc", "good_box", "--no-record", "--assert")
+    assert "3: 3 moved, 2 delivered" in call(*command, "parts_delivered = 2", cwd=tmp_path).out
+    assert call(*command, "parts_lost > 0", cwd=tmp_path).code != 0
 
 
 def test_a_run_records_its_parts_as_json(tmp_path: Path) -> None:
