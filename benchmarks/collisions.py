@@ -64,7 +64,7 @@ def cost_ms(files: dict[str, str], program: str, bodies: str, rounds: int) -> tu
                 best[station] = min(best[station], time.process_time() - started)
             simulated = run.time_s
     assert run.collisions is not None
-    found, pairs = run.collisions.found, len(run.collisions.scene.pairs)
+    found, pairs = run.collisions.report, run.collisions.pair_count
     print(f"  {pairs} pairs, {len(found.contacts)} contacts, {len(found.clearances)} clearances")
     more = best[bodies] - best[""]
     return simulated, 1e3 * more / simulated, more / best[""]

@@ -49,6 +49,8 @@ from rapidsim.station.object_tables import (
     CollisionsTable,
     CylinderTable,
     ObjectTable,
+    SinkTable,
+    SourceTable,
     SphereTable,
 )
 from rapidsim.station.robot import RobotTable
@@ -86,6 +88,8 @@ TABLES: Mapping[str, tuple[str, type]] = {
     "check": ("[check]", CheckTable),
     "object": ("[[object]]", ObjectTable),
     "attach": ("[[attach]]", AttachTable),
+    "source": ("[[source]]", SourceTable),
+    "sink": ("[[sink]]", SinkTable),
     "collisions": ("[collisions]", CollisionsTable),
 }
 INNER: Mapping[type, str] = {

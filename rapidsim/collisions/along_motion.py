@@ -133,6 +133,8 @@ class _Search:
         self._pair = self._first, self._second
         self._owner: Index = np.array([pair.owner for pair in scene.pairs])
         self._touch_only = np.array([pair.touch_only for pair in scene.pairs])
+        self._from = np.array([pair.from_s for pair in scene.pairs])
+        self._until = np.array([pair.until_s for pair in scene.pairs])
         self._best: dict[_Key, _Best] = {}
         # Per robot and move: the gap from which on an interval is irrelevant, and the smallest gap.
         self._wanted = np.full((len(scene.arms), 1), FARTHEST_M)
@@ -173,6 +175,8 @@ class _Search:
         """Find bodies that start inside a hollow body, whose surface they need not touch."""
         poses, centre = self._scene.poses(np.zeros(1)), self._bodies.bounds.centre
         for number, pair in enumerate(self._scene.pairs):
+            if pair.from_s > 0.0:
+                continue
             for one, other in ((pair.first, pair.second), (pair.second, pair.first)):
                 solid = self._scene.bodies[other].shape.solid
                 if solid is None:
@@ -184,13 +188,14 @@ class _Search:
 
     def _initial_intervals(self) -> PairIntervals:
         """Return the longest intervals of a block that bounds of the bodies leave undecided."""
-        pairs = len(self._first)
+        times = self._poses.times
+        judged = np.flatnonzero((self._from < times[-1]) & (self._until > times[0]))
         nodes: Index = np.unique(np.append(np.arange(0, self._steps, LONGEST), self._steps - 1))
         start, end = np.arange(len(nodes) - 1), np.arange(1, len(nodes))
         some = max(1, _AT_ONCE // len(nodes))
         found = []
-        for begin in range(0, pairs, some):
-            pair = np.arange(begin, min(begin + some, pairs))
+        for begin in range(0, max(1, len(judged)), some):
+            pair = judged[begin : begin + some]
             every = np.repeat(pair, len(nodes)), np.tile(nodes, len(pair))
             near = self._bounded(*every).reshape(len(pair), len(nodes))
             each, at = np.repeat(pair, len(start)), np.tile(start, len(pair))
@@ -249,13 +254,19 @@ class _Search:
         owner, before, after = self._moves(some)
         touches = least < -TOUCH_M
         long = (self._lasts(some) > SHORTEST_S) | ~some.seen
-        wanted = np.maximum(self._wanted[owner, before], self._wanted[owner, after])
+        of_moves = [
+            np.where(self._travel.stirs(some.pair, owner, move), self._wanted[owner, move], -np.inf)
+            for move in (before, after)
+        ]
+        wanted = np.maximum(*of_moves)
         wanted[self._many_moves(some)] = FARTHEST_M
         nearer = ~self._touch_only[some.pair] & (least < wanted)
         if self._touch:
             over = self._poses.times[some.start] >= self._touched(some.pair, after)
             touches &= ~over
             nearer &= ~over
+        times, pair = self._poses.times, some.pair
+        long &= (times[some.start] < self._until[pair]) & (times[some.end] > self._from[pair])
         return touches & long, nearer & long
 
     def _touched(self, pair: Index, move: Index) -> Array:
@@ -315,6 +326,8 @@ class _Search:
     def _note(self, pair: Index, at: Index, gap: Array, point: Array) -> None:
         """Record contacts and nearest points."""
         poses, owner = self._poses, self._owner[pair]
+        within = (poses.times[at] >= self._from[pair]) & (poses.times[at] <= self._until[pair])
+        gap = np.where(within, gap, np.inf)
         move, times = poses.moves[at, owner], poses.times[at]
         touching = np.flatnonzero(gap < -TOUCH_M)
         for k in touching[_first_of(times[touching], pair[touching], move[touching])].tolist():
@@ -322,7 +335,8 @@ class _Search:
             if known is None or times[k] < known.time_s:
                 place = poses.of(int(self._second[pair[k]]))[int(at[k])].apply(point[k])
                 self._touch[int(pair[k]), int(move[k])] = _Touch(float(times[k]), place)
-        news = np.flatnonzero(~self._touch_only[pair] & (gap < self._nearest[owner, move]))
+        nearer = ~self._touch_only[pair] & (gap < self._nearest[owner, move])
+        news = np.flatnonzero(nearer & self._travel.stirs(pair, owner, move))
         for k in news[_first_of(gap[news], owner[news], move[news])].tolist():
             place = poses.of(int(self._second[pair[k]]))[int(at[k])].apply(point[k])
             best = _Best(max(float(gap[k]), 0.0), float(times[k]), int(pair[k]), place)
@@ -420,7 +434,9 @@ class _Search:
             poses = self._scene.poses((start + later).reshape(-1))
             shape = (len(keys), len(later))
             at = np.arange(len(poses.times)).reshape(shape)
-            same = np.logical_and.accumulate(poses.moves[at, self._owner[pair]] == move, axis=1)
+            same = poses.moves[at, self._owner[pair]] == move
+            same &= poses.times[at] <= np.maximum(self._until[pair], start)
+            same = np.logical_and.accumulate(same, axis=1)
             first, second = (np.broadcast_to(one[pair], shape) for one in self._pair)
             deep = np.zeros(shape)
             seen = poses.seen(first[same], second[same], at[same])
@@ -436,13 +452,30 @@ class _Search:
     def _continued(self) -> set[_Key]:
         """Return contacts of pairs that touched in the previous move and still do at the start."""
         keys = [(p, move) for p, move in self._touch if (p, move - 1) in self._touch]
+        found = self._of_earlier_owners()
         if not keys:
-            return set()
+            return found
         times = np.array([self._touch[key].time_s for key in keys]) - 2.0 * SHORTEST_S
         moves = self._scene.poses(times).moves
-        return {
+        return found | {
             (p, move) for row, (p, move) in enumerate(keys) if moves[row, self._owner[p]] != move
         }
+
+    def _of_earlier_owners(self) -> set[_Key]:
+        """Return contacts at the start of a pair's interval, of bodies that touched before it."""
+        touched = {(self._bodies_of(p), self._until[p]) for p, _ in self._touch}
+        return {
+            (p, move)
+            for (p, move), touch in self._touch.items()
+            if touch.time_s <= self._from[p] + SHORTEST_S
+            and any(
+                bodies == self._bodies_of(p) and until_s <= self._from[p]
+                for bodies, until_s in touched
+            )
+        }
+
+    def _bodies_of(self, pair: int) -> frozenset[int]:
+        return frozenset({int(self._first[pair]), int(self._second[pair])})
 
 
 def _first_of(order: Array, *keys: Index) -> Index:

@@ -31,7 +31,7 @@ class Parent:
 
     kind: ParentKind = ParentKind.WORLD
     name: str = ""
-    """Name of the work object, or of the mechanical unit of a positioner."""
+    """Name of the work object, of the mechanical unit of a positioner, or of a body on a tool."""
     link: int = 0
     """Number of joints that move the link; for a positioner the number of its axes, 0 for all."""
     robot: str | None = None
@@ -57,12 +57,45 @@ class CellObject:
 
 @value_class(frozen=True, slots=True, eq=False)
 class Attachment:
-    """A condition on signals under which a robot holds an object on its flange."""
+    """A condition on signals under which a gripper or a clamp holds objects."""
 
     when: str
     """Condition, in the syntax of a station file."""
+    objects: tuple[str, ...]
+    """Names of the objects, of which it takes the nearest."""
+    to: Parent
+    """Holder: a tool, one body of it, or a unit."""
+    reach_m: float
+    """Largest distance [m] of an object that it takes."""
+
+
+@value_class(frozen=True, slots=True)
+class PartSource:
+    """Appearance of copies of an object at its pose."""
+
     object: str
-    robot: str | None = None
+    times: tuple[float, ...] = ()
+    """Times [s] of single copies."""
+    first_s: float | None = None
+    """Time [s] of the first of further copies; None for none."""
+    every_s: float | None = None
+    """Time [s] from one of those to the next; None if there is only one."""
+    when: str = ""
+    """Condition that makes a copy each time that it becomes true; empty for none."""
+
+
+@value_class(frozen=True, slots=True)
+class Sink:
+    """Disappearance of parts that rest on a body."""
+
+    surface: str
+    """Name of the body, or of the surface of a conveyor, at whose end parts disappear."""
+    after_s: float = 0.0
+    """Time [s] that a part rests there."""
+    when: str = ""
+    """Condition that removes all parts each time that it becomes true; empty for none."""
+    capacity: int | None = None
+    """Largest number of parts; None for any."""
 
 
 @value_class(frozen=True, slots=True)
@@ -80,6 +113,8 @@ class CellGeometry:
 
     objects: tuple[CellObject, ...] = ()
     attachments: tuple[Attachment, ...] = ()
+    sources: tuple[PartSource, ...] = ()
+    sinks: tuple[Sink, ...] = ()
     ignored: tuple[IgnoredPair, ...] = ()
     clearance_m: float = 0.0
     """Distance [m] below which a run is reported."""

@@ -29,14 +29,16 @@ _ALL = slice(None)
 
 @value_class(frozen=True, slots=True)
 class SceneFrame:
-    """A frame that moves with a robot, or the world frame."""
+    """A frame that moves with a robot or a belt, or the world frame."""
 
     robot: int | None = None
-    """Index of the robot; None for the world."""
+    """Index of the robot; None for the world and for belts."""
     link: int = 0
     """Number of joints that move it; number of joints + 1 for the flange."""
     axes: tuple[int, ...] = ()
     """External axes of the robot that move the frame of a positioner, outermost first."""
+    belt: int | None = None
+    """Index of the belt of a conveyor."""
 
 
 WORLD = SceneFrame()
@@ -59,11 +61,23 @@ class Body:
     shape: Shape
     carried: tuple[AttachedBody, ...]
     """Attachments in order of time, the first from the start on."""
+    from_s: float = -np.inf
+    until_s: float = np.inf
+    """Interval [s] in which the body exists."""
 
     @property
     def is_static(self) -> bool:
         """Whether the body never moves."""
-        return len(self.carried) == 1 and self.carried[0].frame.robot is None
+        return len(self.carried) == 1 and self.carried[0].frame == WORLD
+
+    @property
+    def is_lasting(self) -> bool:
+        """Whether the body exists at all times."""
+        return self.from_s == -np.inf and self.until_s == np.inf
+
+    def exists(self, time_s: float) -> bool:
+        """Whether the body exists at an instant [s]."""
+        return self.from_s <= time_s < self.until_s
 
 
 @value_class(frozen=True, slots=True, eq=False)
@@ -77,6 +91,9 @@ class Pair:
     touch_only: bool
     """Whether only contacts are checked, no clearance: for links of one arm, and for a part and the
     body it lies on."""
+    from_s: float = -np.inf
+    until_s: float = np.inf
+    """Interval [s] in which this robot moves them; others are pairs of their own."""
 
 
 @value_class(frozen=True, slots=True, eq=False)
@@ -128,12 +145,32 @@ class Poses:
 
 
 @value_class(frozen=True, slots=True, eq=False)
+class Belt:
+    """The belt of a conveyor with its motion."""
+
+    world_from_switch: Transform
+    """Frame of the switch; the belt travels along its x axis."""
+    times: Array
+    """Instants (k,) [s] between which its speed is constant, from the start to the end."""
+    travel: Array
+    """Travel (k,) [m] until then."""
+
+    def frames(self, times: Array) -> Transform:
+        """Return the frames (k,) of the belt, which are that of the switch at the start."""
+        travel = np.interp(times, self.times, self.travel)
+        along = self.world_from_switch.rotation[:, 0]
+        rotation = np.broadcast_to(self.world_from_switch.rotation, (len(times), 3, 3))
+        return Transform(rotation, self.world_from_switch.translation + travel[:, None] * along)
+
+
+@value_class(frozen=True, slots=True, eq=False)
 class Scene:
     """Arms and bodies."""
 
     arms: tuple[Arm, ...]
     bodies: tuple[Body, ...]
     pairs: tuple[Pair, ...]
+    belts: tuple[Belt, ...] = ()
 
     def shapes(self) -> Bodies:
         """Return the bodies prepared for distance computation."""
@@ -151,6 +188,8 @@ class Scene:
             postures = arm.at(times)
             moves[:, number] = postures.move
             frames.update(arm_frames(number, arm, postures, used))
+        for number, belt in enumerate(self.belts):
+            frames[SceneFrame(belt=number)] = belt.frames(times)
         for number, body in enumerate(self.bodies):
             for carried, end in zip(
                 body.carried, (*(one.from_s for one in body.carried[1:]), np.inf), strict=True

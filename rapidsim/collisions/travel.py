@@ -9,6 +9,7 @@ Accelerations are estimated from the instants, doubled, taking the largest of so
 from __future__ import annotations
 
 import numpy as np
+import numpy.typing as npt
 
 from rapidsim.collisions.bounds import Bounds
 from rapidsim.collisions.convex import Index
@@ -17,6 +18,10 @@ from rapidsim.frames.transform import Array, Transform
 
 _SAFETY = 2.0
 _NEIGHBOURS = 2
+_BRIEF = 4
+"""Number of instants below which the steps before and after a move count as well."""
+_STIRS_M = 1e-6
+"""Relative travel [m] in a move below which two bodies are at rest against each other."""
 _LEVELS = 5
 """Exponent of the longest interval in steps, plus one."""
 LONGEST = 2 ** (_LEVELS - 1)
@@ -52,6 +57,9 @@ class Travel:
         wide = np.pad(pull, ((_NEIGHBOURS, _NEIGHBOURS), (0, 0)), mode="edge")
         around = [wide[at : at + count - 1] for at in range(2 * _NEIGHBOURS + 2)]
         self._bend = _SAFETY * np.maximum.reduce(around) + 0.1 * pull.max(axis=0)
+        self._stirs = [
+            _stirring(poses.moves[:, robot], self._way) for robot in range(poses.moves.shape[1])
+        ]
         slack = self._bend * (step**2 / 8.0)
         # Maximum over 1, 2, 4 ... steps from each instant on.
         self._slacks = np.zeros((_LEVELS, count, len(columns)))
@@ -71,10 +79,33 @@ class Travel:
         )
         return self._way[end, column] - self._way[start, column], slack
 
+    def stirs(self, pair: Index, owner: Index, move: Index) -> npt.NDArray[np.bool_]:
+        """Mask of pairs (k,) whose bodies move against each other in moves of robots."""
+        found = np.ones(len(pair), dtype=np.bool_)
+        for robot, (moves, stirs) in enumerate(self._stirs):
+            rows = np.flatnonzero(owner == robot)
+            at = np.minimum(np.searchsorted(moves, move[rows]), len(moves) - 1)
+            known = moves[at] == move[rows]
+            found[rows[known]] = stirs[at[known], self._column[pair[rows[known]]]]
+        return found
+
     def bend(self, pair: Index, step: Index) -> Array:
         """Return accelerations (k,) [m/s2] of one body relative to the other."""
         found: Array = self._bend[step, self._column[pair]]
         return found
+
+
+def _stirring(move: Index, travel: Array) -> tuple[Index, npt.NDArray[np.bool_]]:
+    """Return the moves (m,) at instants (k,), and in which of them columns stir (m, c)."""
+    moves, at = np.unique(move, return_inverse=True)
+    steps, total = np.diff(travel, axis=0), np.zeros((len(moves), travel.shape[1]))
+    within = at[1:] == at[:-1]
+    np.add.at(total, at[1:][within], steps[within])
+    brief = np.bincount(at) < _BRIEF
+    for end in (at[1:], at[:-1]):
+        of_brief = brief[end]
+        np.add.at(total, end[of_brief], steps[of_brief])
+    return moves, total > _STIRS_M
 
 
 def turned(first: Array, other: Array) -> Array:

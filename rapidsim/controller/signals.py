@@ -122,7 +122,8 @@ class TaskSignals:
         deadline_s = math.inf if max_time is None else now_s + max_time
         start_s, idle = now_s, 0
         happenings = self.cell.event_count
-        awaited = self.clock.place.arguments.get("cond", "its condition")
+        arguments = self.clock.place.arguments
+        awaited = arguments.get("cond") or arguments.get("wobj") or "its condition"
         with self.clock.waiting(awaited) as wait:
             while not self._holds(condition):
                 if now_s >= deadline_s:

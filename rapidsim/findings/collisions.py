@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from rapidsim.diagnostics import Violation
+from rapidsim.diagnostics import Diagnostic, Violation
 
 
 class Collision(Violation, code="C101"):
@@ -27,6 +27,28 @@ class NotJudged(Violation, code="C103"):
     subject: str
 
 
+class LeftInTheAir(Violation, code="C105"):
+    part: str
+    time_s: float
+    below: str
+    """Body below it and its distance, for the message."""
+    suggestion: str
+
+
+class NothingGripped(Violation, code="C106"):
+    gripper: str
+    time_s: float
+    nearest: str
+    """The nearest part and its distance, for the message."""
+
+
+class PlaceOccupied(Violation, code="C107"):
+    part: str
+    occupant: str
+    """The part that is there, and the place, for the message."""
+    time_s: float
+
+
 class CollisionNotRun(Violation, code="C104"):
     first: str
     second: str
@@ -34,3 +56,13 @@ class CollisionNotRun(Violation, code="C104"):
     deep: str
     suggestion: str
     """Suggested remedy; empty without one."""
+
+
+def is_of_parts(finding: Diagnostic) -> bool:
+    """Whether a finding depends on all that has happened to a part of the cell before."""
+    return isinstance(finding.violation, (LeftInTheAir, NothingGripped, PlaceOccupied))
+
+
+def is_of_cell(finding: Diagnostic) -> bool:
+    """Whether a finding depends on all robots of a cell: it is one of bodies in a run."""
+    return finding.code.startswith("C") and not isinstance(finding.violation, CollisionNotRun)

@@ -156,7 +156,15 @@ class Conveyor(Protocol):
         ...
 
     def next_s(self, now_s: float, distance_mm: float) -> float | None:
-        """Time [s] at which the next object has travelled a distance; None if there is none."""
+        """Time [s] at which the next object has travelled a distance if the belt goes on as now.
+
+        None if there is no object; infinite if the belt stands before.
+        """
+        ...
+
+    @property
+    def stops(self) -> bool:
+        """Whether signals may stop the belt."""
         ...
 
     def connect(self) -> None:

@@ -9,10 +9,12 @@ Source: Application manual Conveyor tracking, "WaitWObj", "DropWObj".
 from __future__ import annotations
 
 import math
+from functools import partial
 
 from rapidsim.language.annotations import Bool, Num, Pers, Var
 from rapidsim.language.controller import Controller
 from rapidsim.language.data import WobjData
+from rapidsim.language.equipment import Conveyor
 from rapidsim.language.error_numbers import (
     ERR_CNV_CONNECT,
     ERR_CNV_NOT_ACT,
@@ -21,6 +23,8 @@ from rapidsim.language.error_numbers import (
 from rapidsim.library.table import routine, table
 from rapidsim.library.timing import report_timeout
 
+_POLL_S = 0.012
+"""Time [s] between two looks at a belt that signals may stop."""
 _NO_CONVEYOR = "skipped: the station has no [[conveyor]] for its unit"
 
 
@@ -44,6 +48,13 @@ def wait_wobj(
         raise rapid_error(ERR_CNV_CONNECT, f"the work object of {unit} is connected already")
     now_s = controller.clock.now()
     comes_s = conveyor.next_s(now_s, rel_dist or 0.0)
+    if comes_s is not None and conveyor.stops:
+        arrives = partial(_has_arrived, controller, conveyor, rel_dist or 0.0)
+        in_time = controller.signals.wait_until(arrives, max_time=max_time, poll_s=_POLL_S)
+        if in_time:
+            conveyor.connect()
+        report_timeout(in_time, time_flag, f"WaitWObj {unit}", max_time)
+        return
     wait_s = math.inf if comes_s is None else max(0.0, comes_s - now_s)
     limit_s = math.inf if max_time is None else max_time
     if wait_s > limit_s:
@@ -55,6 +66,12 @@ def wait_wobj(
     controller.clock.wait(wait_s)
     conveyor.connect()
     report_timeout(True, time_flag, f"WaitWObj {unit}", max_time)
+
+
+def _has_arrived(controller: Controller, conveyor: Conveyor, distance_mm: float) -> bool:
+    now_s = controller.clock.now()
+    comes_s = conveyor.next_s(now_s, distance_mm)
+    return comes_s is not None and comes_s <= now_s
 
 
 def drop_wobj(controller: Controller, wobj: Pers[WobjData]) -> None:

@@ -80,8 +80,10 @@ def cell_of(run: SampledRun, theme: Theme) -> CellOutline:
         colour = theme.failed if body.label in hit else one.hex_colour
         stands = picture_from_world @ poses.of(index)
         first, last = (MM * stands[at].apply(body.shape.vertices) for at in (0, 1))
-        bodies.append(outlined(colour, first, body.shape.faces))
-        if np.abs(last - first).max() > MM * _MOVED_M:
+        if body.exists(0.0):
+            bodies.append(outlined(colour, first, body.shape.faces))
+        is_new = not body.exists(0.0) or np.abs(last - first).max() > MM * _MOVED_M
+        if is_new and body.exists(run.end_s):
             bodies.append(outlined(colour, last, body.shape.faces, is_later=True))
     points = np.array([one.point for one in hits]).reshape(-1, 3)
     return CellOutline(tuple(bodies), MM * picture_from_world.apply(points))

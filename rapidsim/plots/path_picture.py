@@ -30,8 +30,8 @@ _MOST_NAMES = 25
 _MOST_TARGETS = 400
 """Number of targets above which neither points nor zones are drawn: they would hide the path."""
 _THIN = 0.5
-_NAME_ROOM = np.array([0.07, 0.035])
-"""Size of a name, relative to the width of a view: horizontally and vertically."""
+_LETTER, _NAME_HEIGHT = 0.0125, 0.035
+"""Width of a letter and height of a name, relative to the width of a view."""
 _WIDE = 1.45
 """Aspect ratio (width / height) of a view."""
 _SMALL = 0.45
@@ -55,7 +55,7 @@ def path_picture(run: SampledRun, theme: Theme) -> Figure:
     for place, (name, first, second) in zip(places[1:4], _SIDES, strict=True):
         axes = figure.add_subplot(place)
         axes.set_title(name)
-        _draw_side(axes, run, theme, (first, second), box)
+        _draw_side(axes, run, theme, (first, second), box, cell)
         draw_cell(axes, cell, theme, (first, second))
     if box is not None:
         near: Axes3D = figure.add_subplot(places[4], projection="3d")
@@ -116,7 +116,12 @@ def _width(run: SampledRun) -> float:
 
 
 def _draw_side(
-    axes: Axes, run: SampledRun, theme: Theme, view: tuple[int, int], box: Array | None
+    axes: Axes,
+    run: SampledRun,
+    theme: Theme,
+    view: tuple[int, int],
+    box: Array | None,
+    cell: CellOutline,
 ) -> None:
     """Draw the whole path from a side, with a frame around the part in the near view."""
     _draw_work(axes, run, theme, view)
@@ -129,7 +134,8 @@ def _draw_side(
             (left, bottom), width, height, fill=False, color=theme.soft, linewidth=0.9
         )
         axes.add_patch(frame)
-    _draw_names(axes, targets, places_mm(run)[:, view], theme, view)
+    places = grown(places_mm(run)) if cell.bodies else places_mm(run)
+    _draw_names(axes, targets, places[:, view], theme, view)
     _draw_failed(axes, run, theme, view)
     _label(axes, view)
     axes.set_aspect("equal", adjustable="datalim")
@@ -223,10 +229,15 @@ def _draw_start(axes: Axes, run: SampledRun, theme: Theme, view: tuple[int, ...]
 def _spread_labels(names: list[str], places: Array, sweep: Array) -> list[tuple[str, Array]]:
     """Return names at points (k, 2) [mm] that do not overlap earlier ones; omit the others."""
     spans = np.ptp(np.concatenate([places, sweep]), axis=0)
-    room = _NAME_ROOM * max(float(spans[0]), _WIDE * float(spans[1]), 1.0)
+    width = max(float(spans[0]), _WIDE * float(spans[1]), 1.0)
     kept: list[tuple[str, Array]] = []
     for name, place in zip(names, places, strict=True):
-        if all(np.any(np.abs(place - other) > room) for _, other in kept):
+        for other, near in kept:
+            right, up = place - near
+            letters = len(other if right > 0.0 else name)
+            if abs(right) <= _LETTER * width * letters and abs(up) <= _NAME_HEIGHT * width:
+                break
+        else:
             kept.append((name, place))
     return kept
 

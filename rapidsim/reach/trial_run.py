@@ -17,6 +17,7 @@ from rapidsim.analysis.program import Program
 from rapidsim.controller.moves.executed_move import ExecutedMove
 from rapidsim.diagnostics import Diagnostic, Severity, Span
 from rapidsim.files import InputError
+from rapidsim.findings.collisions import is_of_cell, is_of_parts
 from rapidsim.findings.guidance import NobodyGuides
 from rapidsim.findings.reach_and_motion_data import MainAxesSwitched
 from rapidsim.findings.runs import (
@@ -228,13 +229,19 @@ def skip_reason(walked: WalkedProgram) -> str:
     return ""
 
 
-def run_all_tasks(
-    setups: Sequence[TaskSetup], options: RunOptions
-) -> tuple[Diagnostic, ...] | None:
-    """Return the errors that end a run of all tasks of a cell; None if it is inconclusive.
+@value_class(frozen=True, slots=True)
+class CellRun:
+    """Findings of a run of all tasks of a cell."""
 
-    It is inconclusive if it depends on services that a check lacks, or takes too long.
-    """
+    errors: tuple[Diagnostic, ...] | None
+    """The errors that end it; None if it is inconclusive: it depends on services that a check
+    lacks, or takes too long."""
+    of_bodies: tuple[Diagnostic, ...] | None
+    """Findings on the bodies of the cell as far as it went; None if the station has none."""
+
+
+def run_all_tasks(setups: Sequence[TaskSetup], options: RunOptions) -> CellRun | None:
+    """Return the findings of a run of all tasks of a cell; None if it is impossible."""
     programs = [setup.program for setup in setups]
     limited = _limited(options, LONGEST_RUN_S, LONGEST_WORK_FOR_ERRORS_S)
     try:
@@ -242,14 +249,20 @@ def run_all_tasks(
             run = run_tasks(setups, _alone(limited, home)).simulation
     except (InputError, NotExecutableError):
         return None
+    of_bodies = None
+    if run.collisions is not None:
+        found = (one for one in run.diagnostics if is_of_cell(one))
+        of_bodies = tuple(_as_sure(one, run, programs, options) for one in found)
     if _lacked(run, programs):
-        return None
+        return CellRun(None, of_bodies)
     if _was_to_be_answered(run):
-        return ()
+        return CellRun((), of_bodies)
     errors = [one for one in run.diagnostics if one.severity is Severity.ERROR]
+    errors = [one for one in errors if not is_of_cell(one)]
     if run.end is End.TIME_LIMIT and not errors:
-        return None
-    return tuple(_as_sure(one, run, programs, options) for one in errors if not _of_text(one))
+        return CellRun(None, of_bodies)
+    reported = tuple(_as_sure(one, run, programs, options) for one in errors if not _of_text(one))
+    return CellRun(reported, of_bodies)
 
 
 def _limited(options: RunOptions, longest_s: float, work_s: float) -> RunOptions:
@@ -353,7 +366,7 @@ def _as_sure(
     finding = doubt_valueless(finding, programs)
     at = finding.span
     is_of_move = moves is None or (at is not None and any(map(at.begins_in, moves)))
-    is_sure = is_of_move and not _of_run(finding)
+    is_sure = is_of_move and not _of_run(finding) and not is_of_parts(finding)
     return finding if is_sure else _doubted(finding, run, programs, options)
 
 

@@ -2,42 +2,24 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
-from functools import partial
-from itertools import combinations
-
-import numpy as np
 
 from rapidsim.collisions.body_distance import Bodies
-from rapidsim.collisions.contact import BodyName
-from rapidsim.collisions.geometry import CellGeometry, CellObject, IgnoredPair, ParentKind
-from rapidsim.collisions.link_shapes import link_shapes
-from rapidsim.collisions.scene import (
-    SHORTEST_S,
-    STEP_S,
-    WORLD,
-    Arm,
-    AttachedBody,
-    Body,
-    Pair,
-    Scene,
-    SceneFrame,
-    arm_frames,
-)
-from rapidsim.collisions.self_pairs import judged_pairs
-from rapidsim.controller.cell.conditions import Condition, read_condition
-from rapidsim.frames.transform import Transform
-from rapidsim.language.data import WobjData
-from rapidsim.motion.configurations.targets import transform
-from rapidsim.simulation.results.signal_history import Changes, signal_changes
-from rapidsim.simulation.results.simulation import RobotRun, Simulation
+from rapidsim.collisions.geometry import CellGeometry, CellObject
+from rapidsim.collisions.scene import Scene
+from rapidsim.collisions.shape import sphere
+from rapidsim.controller.cell.conveyors import ConveyorScript
+from rapidsim.simulation.cell_bodies import CellBodies
+from rapidsim.simulation.part_courses import part_courses
+from rapidsim.simulation.part_supply import part_holders, part_sinks
+from rapidsim.simulation.results.parts import PartEvent
+from rapidsim.simulation.results.simulation import Simulation
+from rapidsim.simulation.scene_pairs import ScenePairs, lying
 from rapidsim.values import value_class
 
-_LYING_M = 1e-3
-"""Distance within which a part lies on a body when it is picked up or put down."""
-_STOPPING_S = 0.5
-"""Longest time [s] for which an arm moves after its last command."""
+_POINT = sphere(1e-6)
+"""The TCP as a body."""
 
 
 @value_class(frozen=True, slots=True, eq=False)
@@ -51,353 +33,39 @@ class CellScene:
     """Objects of the station by their number among the bodies."""
     bodies: Bodies
     """Bodies of the scene, laid out for distance computations."""
+    parts: tuple[int, ...]
+    """Numbers of the bodies that grippers take, or that appear and disappear."""
+    events: tuple[PartEvent, ...]
+    """Changes of their carriers."""
 
 
-def cell_scene(simulation: Simulation, geometry: CellGeometry) -> CellScene:
+def cell_scene(
+    simulation: Simulation, geometry: CellGeometry, conveyors: Sequence[ConveyorScript]
+) -> CellScene:
     """Return the bodies of a run and the pairs of them that must not touch."""
-    return _Builder(simulation, geometry).built()
-
-
-class _Builder:
-    def __init__(self, simulation: Simulation, geometry: CellGeometry) -> None:
-        self._simulation, self._geometry = simulation, geometry
-        self._runs = simulation.robots
-        self._arms = tuple(map(_arm, self._runs))
-        self._bodies: list[Body] = []
-        self._objects: dict[int, CellObject] = {}
-        self._remarks: list[str] = []
-        self._carriers: dict[int, set[int]] = {}
-        """Robots that carry a body at any time."""
-        self._used: set[IgnoredPair] = set()
-        self._signals = {
-            name.lower(): changes
-            for name, changes in signal_changes(simulation, still=True).items()
-        }
-
-    def built(self) -> CellScene:
-        """Return the scene of the run."""
-        of_links: dict[tuple[int, int], int] = {}
-        for number, one in enumerate(self._runs):
-            shapes = link_shapes(one.robot)
-            self._remarks += shapes.remarks
-            for link in shapes.links:
-                of_links[number, link.number] = len(self._bodies)
-                name = "the base" if link.number == 0 else f"link {link.number}"
-                fixed = AttachedBody(0.0, SceneFrame(number, link.number), Transform.identity())
-                self._bodies.append(Body(self._named(name, number), link.shape, (fixed,)))
-        for placed in self._geometry.objects:
-            self._add_object(placed)
-        pairs = tuple(self._pairs(of_links))
-        for ignored in self._geometry.ignored:
-            if ignored not in self._used:
-                self._remarks.append(
-                    f"the station ignores `{ignored.first}` and `{ignored.second}`: no such pair"
-                )
-        scene = Scene(self._arms, tuple(self._bodies), pairs)
-        bodies = scene.shapes()
-        remarks = tuple(dict.fromkeys(self._remarks))
-        return CellScene(self._lying(scene, bodies), remarks, self._objects, bodies)
-
-    def _lying(self, scene: Scene, bodies: Bodies) -> Scene:
-        """Return the scene with pairs touch-only if one body lies on the other or is put there.
-
-        A part leaves the body it lies on, and approaches the one it is put on: near on purpose.
-        """
-        pairs = list(scene.pairs)
-        for number, pair in enumerate(pairs):
-            carried = [one for one in (pair.first, pair.second) if self._carriers.get(one)]
-            if pair.touch_only or not carried:
-                continue
-            times = sorted({one.from_s for body in carried for one in self._bodies[body].carried})
-            poses = scene.poses(np.array(times))
-            seen = poses.seen(pair.first, pair.second)
-            here = np.zeros(len(times), dtype=np.int64)
-            enough = np.full(len(times), _LYING_M)
-            gaps = bodies.gaps(here + pair.first, here + pair.second, seen, enough)
-            if gaps.distances_found.min() < _LYING_M:
-                pairs[number] = replace(pair, touch_only=True)
-        return replace(scene, pairs=tuple(pairs))
-
-    def _named(self, name: str, robot: int) -> BodyName:
-        whose = f" of {self._runs[robot].task}" if len(self._runs) > 1 else ""
-        return BodyName(f"{name}{whose}", robot)
-
-    def _robot(self, task: str | None, owner: str) -> int | None:
-        """Number of the robot of a task; None, with a remark, if the task has no robot."""
-        if task is None:
-            return 0
-        for number, one in enumerate(self._runs):
-            if one.task.lower() == task.lower():
-                return number
-        self._remarks.append(f"`{owner}`: no robot of a task `{task}` is in the run")
-        return None
-
-    def _add_object(self, item: CellObject) -> None:
-        number = len(self._bodies)
-        placed = self._placed(item)
-        if not placed:
-            return
-        first = placed[0].frame
-        label = BodyName(f"`{item.name}`", None if first.axes else first.robot)
-        self._objects[number] = item
-        self._carriers[number] = set()
-        carried = self._carried_about(number, item, placed)
-        self._bodies.append(Body(label, item.shape, carried))
-
-    def _placed(self, item: CellObject) -> tuple[AttachedBody, ...]:
-        """Return the frames of an object while no robot carries it; empty if they are unknown."""
-        parent, pose = item.parent, item.parent_from_object
-        if parent.kind is ParentKind.WORLD:
-            return (AttachedBody(0.0, WORLD, pose),)
-        robot = self._robot(parent.robot, item.name)
-        if robot is None:
-            return ()
-        joints = len(self._runs[robot].robot.joints)
-        if parent.kind is ParentKind.TOOL:
-            return (AttachedBody(0.0, SceneFrame(robot, joints + 1), pose),)
-        if parent.kind is ParentKind.LINK:
-            if parent.link <= joints:
-                return (AttachedBody(0.0, SceneFrame(robot, parent.link), pose),)
-            self._remarks.append(
-                f"`{item.name}`: {self._runs[robot].robot.name} has no link {parent.link}"
-            )
-            return ()
-        if parent.kind is ParentKind.UNIT:
-            unit = self._unit(parent.name, parent.link)
-            if unit is None:
-                which = f"axis {parent.link} of " if parent.link else ""
-                self._remarks.append(
-                    f"`{item.name}`: no positioner of the run has {which}`{parent.name}`"
-                )
-            return () if unit is None else (AttachedBody(0.0, unit, pose),)
-        return self._in_work_object(item, robot, joints)
-
-    def _unit(self, name: str, count: int = 0) -> SceneFrame | None:
-        """Frame moved by the first `count` axes of a positioner (0: all); None if there is none."""
-        for robot, run in enumerate(self._runs):
-            axes = tuple(
-                number
-                for number, axis in enumerate(run.robot.external)
-                if axis.carries == "wobj" and axis.unit.lower() == name.lower()
-            )
-            if axes and count <= len(axes):
-                return SceneFrame(robot, axes=axes[: count or None])
-        return None
-
-    def _in_work_object(
-        self, item: CellObject, robot: int, joints: int
-    ) -> tuple[AttachedBody, ...]:
-        placed: list[AttachedBody] = []
-        last: WobjData | None = None
-        runs = (
-            (self._runs[robot], *self._runs) if item.parent.robot is None else (self._runs[robot],)
+    cell = CellBodies(simulation, geometry, conveyors)
+    distances = Bodies([*(body.shape.parts for body in cell.bodies), _POINT.parts])
+    holders = tuple(part_holders(cell, geometry))
+    courses = part_courses(cell, distances, holders, tuple(part_sinks(cell, geometry)))
+    for number, course in courses.parts.items():
+        cell.bodies[number] = replace(
+            cell.bodies[number],
+            carried=course.carried,
+            from_s=course.from_s,
+            until_s=course.until_s,
         )
-        for run in runs:
-            for move in run.moves:
-                wobj = move.move.wobj
-                name = move.place.arguments.get("wobj", "wobj0")
-                if name.strip().lower() != item.parent.name.lower() or wobj == last:
-                    continue
-                unit = None if wobj.ufprog else self._unit(wobj.ufmec)
-                if unit is None and not wobj.ufprog:
-                    self._remarks.append(f"`{item.name}`: `{wobj.ufmec}` moves its work object")
-                    return ()
-                frame = unit or (SceneFrame(robot, joints + 1) if wobj.robhold else WORLD)
-                user = Transform.identity() if unit else transform(wobj.uframe)
-                pose = user @ transform(wobj.oframe) @ item.parent_from_object
-                placed.append(AttachedBody(move.start_s if placed else 0.0, frame, pose))
-                last = wobj
-            if placed:
-                return tuple(placed)
-        self._remarks.append(
-            f"`{item.name}`: no move of the run uses the work object {item.parent.name}"
+    finder = ScenePairs(cell, geometry, holders)
+    pairs = tuple(finder.pairs())
+    for ignored in finder.unused():
+        cell.remarks.append(
+            f"the station ignores `{ignored.first}` and `{ignored.second}`: no such pair"
         )
-        return ()
-
-    def _carried_about(
-        self, number: int, item: CellObject, placed: tuple[AttachedBody, ...]
-    ) -> tuple[AttachedBody, ...]:
-        """Return the frames of an object, with the times in which robots carry it."""
-        changes: list[tuple[float, int, bool]] = []
-        for attachment in self._geometry.attachments:
-            if attachment.object.lower() != item.name.lower():
-                continue
-            robot = self._robot(attachment.robot, item.name)
-            condition = read_condition(attachment.when)
-            if robot is None:
-                continue
-            for name in condition.signals():
-                if name.lower() not in self._signals:
-                    self._remarks.append(
-                        f"`{item.name}`: nothing sets or declares the signal {name}"
-                    )
-            self._carriers[number].add(robot)
-            changes += [(t, robot, held) for t, held in _truths(condition, self._signals)]
-        if not changes:
-            return placed
-        if len(placed) > 1:
-            self._remarks.append(f"`{item.name}`: its work object changes while robots carry it")
-        home, found, holder = placed[0], [placed[0]], -1
-        for time_s, robot, held in sorted(changes, key=lambda change: change[0]):
-            if held:
-                frame = SceneFrame(robot, len(self._runs[robot].robot.joints) + 1)
-            elif robot == holder:
-                frame = home.frame
-            else:
-                continue
-            holder = robot if held else -1
-            here = self._frame_at(found[-1].frame, time_s) @ found[-1].frame_from_body
-            found.append(
-                AttachedBody(time_s, frame, self._frame_at(frame, time_s).inverse() @ here)
-            )
-        return tuple(found)
-
-    def _frame_at(self, frame: SceneFrame, time_s: float) -> Transform:
-        if frame.robot is None:
-            return Transform.identity()
-        arm = self._arms[frame.robot]
-        return arm_frames(frame.robot, arm, arm.at(np.array([time_s])), (frame,))[frame][0]
-
-    def _pairs(self, of_links: Mapping[tuple[int, int], int]) -> Iterator[Pair]:
-        """Yield each pair to check once."""
-        links = {body: key for key, body in of_links.items()}
-        own: set[tuple[int, int]] = set()
-        if self._geometry.own_links:
-            for number, one in enumerate(self._runs):
-                for a, b in judged_pairs(one.robot, link_shapes(one.robot)):
-                    own.add((of_links[number, a], of_links[number, b]))
-        for a, b in combinations(range(len(self._bodies)), 2):
-            if a in links and b in links and links[a][0] == links[b][0]:
-                if (a, b) in own and not self._is_ignored(a, b):
-                    yield Pair(a, b, links[a][0], touch_only=True)
-                continue
-            pair = self._pair(a, b, links)
-            if pair is not None and not self._is_ignored(a, b):
-                yield pair
-
-    def _pair(self, a: int, b: int, links: Mapping[int, tuple[int, int]]) -> Pair | None:
-        """Pair of an object and a body, or of bodies of two robots; None if it is not checked."""
-        of_a, of_b = self._movers(a), self._movers(b)
-        moving = of_a | of_b
-        if not moving or (self._rests(a) and self._rests(b)):
-            return None
-        holders_a, holders_b = self._carriers.get(a, set()), self._carriers.get(b, set())
-        if len(self._frames(a)) == 1 and self._frames(a) == self._frames(b):
-            # Bodies on one frame never move relative to each other.
-            return None
-        fixed_a, fixed_b = self._fixed_to(a), self._fixed_to(b)
-        if fixed_a is not None and fixed_b is not None and fixed_a[0] == fixed_b[0]:
-            # Tool and last link touch, as all things that are bolted to each other do.
-            if not self._geometry.own_links or abs(fixed_a[1] - fixed_b[1]) <= 2:
-                return None
-            return Pair(a, b, fixed_a[0], touch_only=True)
-        for holders, fixed in ((holders_a, fixed_b), (holders_b, fixed_a)):
-            if holders and fixed is not None and fixed[0] in holders:
-                # Fingers close on the part that they carry.
-                joints = len(self._runs[fixed[0]].robot.joints)
-                if fixed[1] >= joints:
-                    return None
-        first, second = (b, a) if self._rests(a) else (a, b)
-        owner = min(self._movers(first) or moving)
-        return Pair(first, second, owner, touch_only=False)
-
-    def _frames(self, body: int) -> set[SceneFrame]:
-        """Frames that carry a body at any time."""
-        return {one.frame for one in self._bodies[body].carried}
-
-    def _movers(self, body: int) -> set[int]:
-        """Robots that move a body at any time."""
-        return {frame.robot for frame in self._frames(body) if frame.robot is not None}
-
-    def _rests(self, body: int) -> bool:
-        """Whether a body never moves: it is fixed in the world, or is a base without a track."""
-        frames = self._frames(body)
-        return (
-            all(
-                frame.robot is None
-                or (frame.link == 0 and not self._runs[frame.robot].robot.external)
-                for frame in frames
-            )
-            and len(self._bodies[body].carried) == 1
-        )
-
-    def _fixed_to(self, body: int) -> tuple[int, int] | None:
-        """Robot and link that a body always belongs to; None if robots carry it at times."""
-        frames = self._frames(body)
-        (frame, *others) = frames
-        if others or frame.robot is None or frame.axes or self._carriers.get(body):
-            return None
-        return frame.robot, frame.link
-
-    def _is_ignored(self, a: int, b: int) -> bool:
-        names_a, names_b = self._names(a), self._names(b)
-        found = False
-        for one in self._geometry.ignored:
-            first, second = one.first.lower(), one.second.lower()
-            if (first in names_a and second in names_b) or (first in names_b and second in names_a):
-                self._used.add(one)
-                found = True
-        return found
-
-    def _names(self, body: int) -> set[str]:
-        """Names by which a station may refer to a body."""
-        one = self._bodies[body]
-        if body in self._objects:
-            names = {self._objects[body].name.lower()}
-            if self._objects[body].parent.kind is ParentKind.TOOL:
-                names.add("tool")
-            return names
-        robot = one.label.robot
-        task = "" if robot is None else self._runs[robot].task.lower()
-        name = one.label.name.split(" of ")[0].removeprefix("the ").lower()
-        return {"robot", name, task, f"{name} of {task}"}
-
-
-def _arm(robot_run: RobotRun) -> Arm:
-    busy = tuple((move.start_s, move.end_s) for move in robot_run.moves)
-    end_s = robot_run.trajectory.duration
-    if busy:
-        busy = (*busy, (busy[-1][1], max(end_s, busy[-1][1])))
-    busy += tuple((stretch.start_s, stretch.end_s) for stretch in robot_run.trajectory.guided)
-    brief = [0.5 * (begin + end) for begin, end in busy if SHORTEST_S < end - begin < STEP_S]
-    return Arm(
-        robot_run.robot,
-        robot_run.world_from_base,
-        robot_run.trajectory.postures,
-        _merge_intervals(busy),
-        np.array(brief),
+    scene = Scene(cell.arms, tuple(cell.bodies), pairs, cell.belts)
+    return CellScene(
+        lying(scene, distances, courses.parts.keys()),
+        tuple(dict.fromkeys(cell.remarks)),
+        cell.objects,
+        distances,
+        tuple(courses.parts),
+        courses.events,
     )
-
-
-def _merge_intervals(intervals: Iterable[tuple[float, float]]) -> tuple[tuple[float, float], ...]:
-    """Merge intervals [s] that overlap or are at most `_STOPPING_S` apart."""
-    found: list[tuple[float, float]] = []
-    for begin, end in sorted(intervals):
-        if found and begin <= found[-1][1] + _STOPPING_S:
-            found[-1] = (found[-1][0], max(found[-1][1], end))
-        else:
-            found.append((begin, end))
-    return tuple(found)
-
-
-def _value(values: Mapping[str, float], signal: str) -> float:
-    return values[signal.lower()]
-
-
-def _truths(condition: Condition, signals: Mapping[str, Changes]) -> list[tuple[float, bool]]:
-    """Return the times [s] at which a condition becomes true or false, with its new value."""
-    histories: dict[str, Sequence[tuple[float, float]]] = {
-        name.lower(): signals.get(name.lower(), [(0.0, 0.0)]) for name in condition.signals()
-    }
-    found: list[tuple[float, bool]] = []
-    holds = False
-    for time_s in sorted({t for history in histories.values() for t, _ in history}):
-        now = {
-            name: next(value for t, value in reversed(history) if t <= time_s)
-            for name, history in histories.items()
-        }
-        held = condition.holds(partial(_value, now))
-        if held is not holds:
-            found.append((time_s, held))
-            holds = held
-    return found

@@ -2,27 +2,33 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
 from rapidsim.collisions.along_motion import search
 from rapidsim.collisions.contact import CollisionReport, Contact
 from rapidsim.collisions.geometry import CellGeometry
+from rapidsim.controller.cell.conveyors import ConveyorScript
 from rapidsim.controller.moves.executed_move import ExecutedMove
 from rapidsim.diagnostics import Diagnostic, Related
 from rapidsim.findings.collisions import Collision, LowClearance, NotJudged
 from rapidsim.simulation.cell_scene import cell_scene
 from rapidsim.simulation.results.collisions import Collisions
+from rapidsim.simulation.results.part_statements import place_of
 from rapidsim.simulation.results.simulation import RobotRun, Simulation
 
 _MM = 1e3
 
 
-def with_collisions(simulation: Simulation, geometry: CellGeometry) -> Simulation:
+def with_collisions(
+    simulation: Simulation, geometry: CellGeometry, conveyors: Sequence[ConveyorScript]
+) -> Simulation:
     """Return a run with the contacts and clearances of its bodies."""
-    made = cell_scene(simulation, geometry)
+    made = cell_scene(simulation, geometry, conveyors)
     found = search(made.scene, simulation.motion_end_s, made.bodies)
-    collisions = Collisions(geometry, found, made.scene, made.remarks, made.objects)
+    collisions = Collisions(
+        geometry, found, made.scene, made.remarks, made.objects, made.parts, made.events
+    )
     findings = tuple(_findings(simulation, collisions))
     return replace(
         simulation,
@@ -33,23 +39,22 @@ def with_collisions(simulation: Simulation, geometry: CellGeometry) -> Simulatio
 
 def _findings(simulation: Simulation, collisions: Collisions) -> Iterator[Diagnostic]:
     found, robots = collisions.report, simulation.robots
-    groups: dict[tuple[int, int, str], list[Contact]] = {}
-    for contact in found.contacts:
-        if not contact.continued:
-            groups.setdefault((contact.robot, contact.move, contact.second.name), []).append(
-                contact
-            )
-    for first, *later in groups.values():
-        names = list(dict.fromkeys(one.first.name for one in later))
+    for first, *later in collisions.crashes:
+        others = [pair for pair in map(_pair_of, later) if pair != _pair_of(first)]
         violation = Collision(
             first.first.name,
             first.second.name,
             first.time_s,
-            _deep((first, *later)),
-            f"; so {'do' if len(names) > 1 else 'does'} {' and '.join(names)}" if names else "",
+            _deep((first, *later), stops=collisions.geometry.stops),
+            _also(first.second.name, list(dict.fromkeys(others))),
         )
         move = robots[first.robot].move(first.move)
         yield _at(move, violation, tuple(_others(robots, first)))
+    for event in collisions.part_errors:
+        place, fault = place_of(simulation, event), event.violation
+        if fault is not None:
+            span, routine = (None, None) if place is None else (place.span, place.routine)
+            yield Diagnostic(fault, span, routine=routine)
     yield from _near(simulation, found, collisions.geometry.clearance_m)
     remarks = collisions.remarks
     if not found.decided:
@@ -58,9 +63,23 @@ def _findings(simulation: Simulation, collisions: Collisions) -> Iterator[Diagno
         yield Diagnostic(NotJudged("; ".join(remarks)), None)
 
 
-def _deep(contacts: tuple[Contact, ...]) -> str:
+def _pair_of(contact: Contact) -> tuple[str, str]:
+    return contact.first.name, contact.second.name
+
+
+def _also(second: str, pairs: list[tuple[str, str]]) -> str:
+    """Describe the other pairs of a crash, first those that hit the same body."""
+    alike = [first for first, hit in pairs if hit == second]
+    said = f"; so {'do' if len(alike) > 1 else 'does'} {' and '.join(alike)}" if alike else ""
+    others = [f"{first} hits {hit}" for first, hit in pairs if hit != second]
+    return f"{said}; {' and '.join(others)}" if others else said
+
+
+def _deep(contacts: tuple[Contact, ...], *, stops: bool) -> str:
+    """Describe the largest depth of a crash: of a run that it stops, that at the end of braking."""
     known = [one.depth_m for one in contacts if one.depth_m is not None]
-    return f", {max(known) * _MM:.1f} mm deep" if known else ""
+    when = " when the arm has braked" if stops else ""
+    return f", {max(known) * _MM:.1f} mm deep{when}" if known else ""
 
 
 def _near(

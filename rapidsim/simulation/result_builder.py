@@ -68,7 +68,7 @@ def build_result(
         # Few cells have bodies; the collision check is imported for those only.
         from rapidsim.simulation.collisions import with_collisions  # noqa: PLC0415
 
-        simulation = with_collisions(simulation, options.geometry)
+        simulation = with_collisions(simulation, options.geometry, options.io.conveyors)
     return FinishedRun(
         simulation,
         {

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable
 from pathlib import Path
-from typing import Annotated, Literal
+from typing import Annotated
 
 from rapidsim.collisions.geometry import GREY, Colour, IgnoredPair, Parent, ParentKind
 from rapidsim.collisions.shape import Filling
@@ -13,11 +13,13 @@ from rapidsim.controller.cell.conditions import Condition
 from rapidsim.frames.transform import Transform
 from rapidsim.json_records.declarations import (
     AboveZero,
+    Excludes,
     Key,
     NotNegative,
     OneOf,
     Required,
     Valid,
+    whole_number,
 )
 from rapidsim.motion.configurations.targets import MM
 from rapidsim.station.declared_tables import ReadBy
@@ -31,6 +33,7 @@ SHAPES = ("box", "cylinder", "sphere", "capsule", "plane", "mesh")
 LEAST_M, MOST_M = 1e-5, 100.0
 _MOST_AWAY_M = 1000.0
 _MOST_AXES = 6
+_ONE_CAUSE = "`when` waits for signals, the other keys for the clock; give one"
 _COLOUR = re.compile("#[0-9a-fA-F]{6}")
 
 
@@ -90,6 +93,21 @@ def _parent(reader: Reader, table: Table, path: str, key: str) -> Parent | None:
         f"`{text}` is none of `world`, `wobj:NAME`, `link:NUMBER`, `tool`, `unit:NAME`, "
         "`unit:NAME:AXIS`",
     )
+    return None
+
+
+def _holder(reader: Reader, table: Table, path: str, key: str) -> Parent | None:
+    text = reader.text(table, path, key)
+    kind, _, name = (part.strip() for part in (text or "").partition(":"))
+    if kind == ParentKind.TOOL:
+        return Parent(ParentKind.TOOL, name=name)
+    if kind == ParentKind.UNIT:
+        return _parent(reader, table, path, key)
+    if text is not None:
+        reader.wrong(
+            f"{path}.{key}",
+            f"`{text}` is none of `tool`, `tool:NAME`, `unit:NAME`, `unit:NAME:AXIS`",
+        )
     return None
 
 
@@ -159,19 +177,49 @@ class ObjectTable:
 
 @value_class(frozen=True, slots=True)
 class AttachTable:
-    """A table [[attach]]: a condition on signals under which a robot holds an object."""
+    """A table [[attach]]: a condition on signals under which a gripper or a clamp holds objects."""
 
     when: Condition
-    """While it holds, the robot holds the object."""
+    """When it becomes true, the nearest of the objects is taken, and held while it is true."""
     object: str
-    """Name of the object."""
-    to: Annotated[
-        Literal["tool"],
-        OneOf("`{}` is not `tool`; only a tool carries objects", folds_case=False),
-    ]
-    """Carrier of the object."""
+    """Name of the object; `*` stands for any characters."""
+    to: Annotated[Parent, ReadBy(_holder)]
+    """Holder: `tool`, `tool:NAME` for one body of a tool, `unit:NAME` or `unit:NAME:AXIS`."""
+    nearest: NotNegative = 20.0
+    """Largest distance [mm] from the holder of an object that is taken."""
     robot: str | None = None
     """Task or name of the robot; None for the first."""
+
+
+@value_class(frozen=True, slots=True)
+class SourceTable:
+    """A table [[source]]: copies of an object that appear at its pose."""
+
+    object: str
+    """Name of the object; it is there only in its copies, `NAME 1`, `NAME 2` and so on."""
+    at: NotNegative = 0.0
+    """Time of the first copy [s]."""
+    every: Annotated[AboveZero | None, Excludes("when", _ONE_CAUSE)] = None
+    """Time from one copy to the next [s]."""
+    times: Annotated[tuple[float, ...], Excludes("when", _ONE_CAUSE)] = ()
+    """Times of single copies [s]."""
+    when: Condition | None = None
+    """In place of times: the condition that makes a copy each time that it becomes true."""
+
+
+@value_class(frozen=True, slots=True)
+class SinkTable:
+    """A table [[sink]]: a body from which parts disappear."""
+
+    on: str
+    """Name of the object on which the parts are put; if it is the `surface` of a conveyor, parts
+    disappear at the end of that."""
+    after: Annotated[NotNegative, Excludes("when", _ONE_CAUSE)] = 0.0
+    """Time that a part rests there before it disappears [s]."""
+    when: Condition | None = None
+    """In place of a time: the condition that removes all parts each time that it becomes true."""
+    holds: Annotated[int | None, whole_number(1, 10000)] = None
+    """Largest number of parts that have a place there; no key for any."""
 
 
 def _ignored(reader: Reader, table: Table, _: str, key: str) -> tuple[IgnoredPair, ...]:

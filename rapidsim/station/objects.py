@@ -1,4 +1,4 @@
-"""The tables [[object]], [[attach]] and [collisions]: bodies of the cell, and the checked pairs.
+"""The tables of bodies: [[object]], [[attach]], [[source]], [[sink]] and [collisions].
 
 [[object]]
 name = "table"
@@ -8,26 +8,35 @@ parent = "world"                           # or "wobj:wobjVice", "link:3", "tool
 
 [[attach]]
 when = "doGrip = 1"
-object = "part"
-to = "tool"
+object = "part"                            # or "part *": the nearest of them
+to = "tool"                                # or "tool:NAME", "unit:STN1"
+nearest = 20                               # mm; what is farther away is not taken
 """
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
+from fnmatch import fnmatchcase
 from pathlib import Path
 
 import numpy as np
 
 from rapidsim.collisions import shape
-from rapidsim.collisions.geometry import Attachment, CellGeometry, CellObject
+from rapidsim.collisions.geometry import (
+    Attachment,
+    CellGeometry,
+    CellObject,
+    ParentKind,
+    PartSource,
+    Sink,
+)
 from rapidsim.collisions.meshes.read import IN_METRES, read_mesh
 from rapidsim.collisions.shape import Filling, Shape
 from rapidsim.files import InputError, did_you_mean
 from rapidsim.frames.transform import Transform
 from rapidsim.motion.configurations.targets import MM
-from rapidsim.station.declared_tables import as_record, values_of
+from rapidsim.station.declared_tables import as_record, read_record, values_of
 from rapidsim.station.object_tables import (
     LEAST_M,
     MOST_M,
@@ -35,6 +44,8 @@ from rapidsim.station.object_tables import (
     AttachTable,
     CollisionsTable,
     ObjectTable,
+    SinkTable,
+    SourceTable,
 )
 from rapidsim.station.toml_reader import Reader, Table
 from rapidsim.station.units import LengthUnit
@@ -55,29 +66,75 @@ def read_geometry(reader: Reader, station: Table) -> CellGeometry:
         if found.name.lower() in objects:
             reader.wrong(f"{path}.name", f"another object is called `{found.name}`")
         objects[found.name.lower()] = found
+    names = [one.name for one in objects.values()]
     attachments = [
         one
         for path, table in reader.tables(station, "attach")
-        if (one := _attachment(reader, path, table, [*objects])) is not None
+        if (one := _attachment(reader, path, table, names)) is not None
     ]
+    sources = _sources(reader, station, names)
+    sinks = _sinks(reader, station, names)
     table = reader.table(station, "collisions")
     settings = values_of(reader, CollisionsTable, table, "collisions")
     clearance_m = settings.pop("clearance_mm", 0.0) * MM
-    bodies = CellGeometry(tuple(objects.values()), tuple(attachments), clearance_m=clearance_m)
+    bodies = CellGeometry(
+        tuple(objects.values()), tuple(attachments), sources, sinks, clearance_m=clearance_m
+    )
     return replace(bodies, **settings)
+
+
+def _sources(reader: Reader, station: Table, objects: Sequence[str]) -> tuple[PartSource, ...]:
+    sources = []
+    for path, table in reader.tables(station, "source"):
+        one = read_record(reader, SourceTable, table, path)
+        if one is None or not _exists(reader, f"{path}.object", one.object, objects):
+            continue
+        when = one.when.text if one.when else ""
+        if not (when or one.times or {"at", "every"} & set(table)):
+            reader.wrong(path, "give `at`, `every`, `times` or `when`")
+        sources.append(PartSource(one.object, one.times, _first_s(table, one), one.every, when))
+    return tuple(sources)
+
+
+def _first_s(table: Table, source: SourceTable) -> float | None:
+    """Time [s] of the first copy by the clock; None if there is none."""
+    return source.at if {"at", "every"} & set(table) else None
+
+
+def _sinks(reader: Reader, station: Table, objects: Sequence[str]) -> tuple[Sink, ...]:
+    sinks = []
+    for path, table in reader.tables(station, "sink"):
+        one = read_record(reader, SinkTable, table, path)
+        if one is not None and _exists(reader, f"{path}.on", one.on, objects):
+            sinks.append(Sink(one.on, one.after, one.when.text if one.when else "", one.holds))
+    return tuple(sinks)
+
+
+def _exists(reader: Reader, path: str, name: str, objects: Sequence[str]) -> bool:
+    if name.lower() in [one.lower() for one in objects]:
+        return True
+    cure = did_you_mean(name, objects) or f"there are {', '.join(objects) or 'none'}"
+    reader.wrong(path, f"there is no object `{name}`", cure)
+    return False
 
 
 def _attachment(
     reader: Reader, path: str, table: Table, objects: Sequence[str]
 ) -> Attachment | None:
-    found = values_of(reader, AttachTable, table, path)
-    name = found.get("object")
-    if name is not None and name.lower() not in objects:
-        cure = did_you_mean(name, objects) or f"there are {', '.join(objects) or 'none'}"
-        reader.wrong(f"{path}.object", f"there is no object `{name}`", cure)
+    attach = as_record(AttachTable, values_of(reader, AttachTable, table, path))
+    if attach is None:
         return None
-    attach = as_record(AttachTable, found)
-    return None if attach is None else Attachment(attach.when.text, attach.object, attach.robot)
+    pattern, tool = attach.object.lower(), attach.to.name.lower()
+    matches = tuple(
+        name for name in objects if name.lower() == pattern or fnmatchcase(name.lower(), pattern)
+    )
+    if not matches and not _exists(reader, f"{path}.object", attach.object, objects):
+        return None
+    of_tool = attach.to.kind is ParentKind.TOOL and tool
+    if of_tool and not _exists(reader, f"{path}.to", attach.to.name, objects):
+        return None
+    to = replace(attach.to, robot=attach.robot)
+    return Attachment(attach.when.text, matches, to, attach.nearest * MM)
 
 
 def _object(reader: Reader, path: str, table: Table) -> CellObject | None:

@@ -44,7 +44,7 @@ _IO_KEYS = (
     "search",
 )
 NO_BACKUP = Station()
-_GEOMETRY_KEYS = ("object", "attach", "collisions")
+_GEOMETRY_KEYS = ("object", "attach", "source", "sink", "collisions")
 TABLES = (
     "controller",
     "robot",

@@ -154,7 +154,7 @@ pose = { position = [700, 100, 530] }
 
 
 def test_a_part_is_carried_and_hits_what_is_in_its_way(tmp_path: Path) -> None:
-    cell(tmp_path, GRIP, PART + WALL)
+    cell(tmp_path, GRIP, PART + WALL + TABLE)
     found = report(tmp_path, 1)
     assert codes(found) == ["C101"]
     (hit,) = found["collisions"]
@@ -230,8 +230,38 @@ def test_a_contact_ends_the_run_where_the_station_says_so(tmp_path: Path) -> Non
     assert [one["message"] for one in goes_on["events"]] == ["over"]
     assert stops["end"] == "error"
     assert stops["time_s"] == goes_on["collisions"][0]["time_s"]
+    assert stops["diagnostics"][0]["message"].endswith("deep when the arm has braked")
     assert not stops["events"]
     assert codes(stops) == ["C101"]
+
+
+AT_REST = """
+[collisions]
+clearance = 100
+
+[[object]]
+name = "carriage"
+box = [300, 60, 60]
+pose = { position = [300, 0, 100] }
+parent = "unit:TABLE"
+
+[[object]]
+name = "post"
+box = [40, 40, 400]
+pose = { position = [700, 340, 500] }
+"""
+
+
+def test_only_bodies_that_move_against_each_other_come_near(tmp_path: Path) -> None:
+    """The table turns its arm beside a post and stays there while the robot moves."""
+    station = POSITIONER.partition("[[object]]")[0] + AT_REST
+    moves = """    MoveExtJ [[9E9,9E9,9E9,9E9,9E9,9E9],[9E9,70,9E9,9E9,9E9,9E9]],vrot50,fine;
+    MoveL [[0,0,560],[0,0,1,0],[0,0,0,0],[9E9,70,9E9,9E9,9E9,9E9]],v500,fine,tool0\\WObj:=turned;"""
+    head = TURNED.rpartition("    MoveExtJ")[0]
+    cell(tmp_path, moves.replace("\\\\", "\\"), station, head)
+    found = report(tmp_path, 0)
+    near = [one for one in found["clearances"] if one["second"] == "`post`"]
+    assert {one["line"] for one in near if one["first"] == "`carriage`"} == {6}
 
 
 POSITIONER = """

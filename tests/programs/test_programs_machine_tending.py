@@ -34,7 +34,7 @@ def test_the_short_way_hits_the_frame_of_the_door(tmp_path: Path) -> None:
 
 def test_a_run_that_hits_something_says_so_in_its_first_line(tmp_path: Path) -> None:
     ended = call("run", FOLDER / "Hasty.mod", "--no-record", "--report", "r.html", cwd=tmp_path)
-    said = re.compile(r"ended as programmed after [\d.]+ s, with 5\s+collisions")
+    said = re.compile(r"ended as programmed after [\d.]+ s, with 1\s+collision")
     assert said.search(ended.out)
     page = (tmp_path / "r.html").read_text(encoding="utf-8")
     assert re.search(f'class="end error">{said.pattern}', page)

@@ -38,7 +38,7 @@ def test_all_outputs_share_the_verdict(end: End) -> None:
 @pytest.mark.parametrize("end", list(End))
 @pytest.mark.parametrize("hits", [1, 2])
 def test_a_collision_fails_whatever_the_end(end: End, hits: int) -> None:
-    collisions = cast(Any, SimpleNamespace(hits=(None,) * hits))
+    collisions = cast(Any, SimpleNamespace(crashes=(None,) * hits, part_errors=()))
     verdict = run_verdict(replace(run(), end=end, unsimulated=(), collisions=collisions))
     assert (verdict.ok, verdict.level) == (False, Level.FAILED)
     assert verdict.headline.endswith(f", with {hits} collision{'s' * (hits > 1)}")

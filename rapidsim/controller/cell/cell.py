@@ -211,7 +211,8 @@ class Cell:
         """Date and time of day at time zero."""
         self.cameras = {one.name.lower(): camera_state(one) for one in inputs.io.cameras}
         """By folded name."""
-        self.conveyors = {one.unit.lower(): ConveyorState(one) for one in inputs.io.conveyors}
+        conveyors = (ConveyorState(one, self.signals.read) for one in inputs.io.conveyors)
+        self.conveyors = {one.script.unit.lower(): one for one in conveyors}
         """By folded name of the unit."""
         self.parts = inputs.io.parts
         self.messages = MessageQueues(frozenset(f"RMQ_{task}" for task in inputs.tasks))
@@ -228,7 +229,7 @@ class Cell:
         """Whether clients may act at any time, so that programs must keep pace with robots."""
         self.logbook: Callable[[str, LoggedError, float], None] | None = None
         """Called with each entry of the event log, its task and its time [s]."""
-        self.listeners: list[SignalListener] = []
+        self.listeners: list[SignalListener] = [one for one in self.conveyors.values() if one.stops]
         self.error_listeners: list[EventLogListener] = []
         self.event_count = 0
         """Number of events to which another task may have to react."""

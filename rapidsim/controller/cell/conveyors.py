@@ -1,10 +1,17 @@
-"""Conveyors of a cell: the objects that pass, and the one to which a program is connected."""
+"""Conveyors of a cell: the objects that pass, and the one to which a program is connected.
+
+The belt has a time of its own that stands while the belt does. Objects lie on it at distances that
+it travels between their arrivals.
+"""
 
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
+from dataclasses import field
 from typing import Annotated
 
+from rapidsim.controller.cell.conditions import Condition
 from rapidsim.json_records.declarations import AboveZero, Key, NotNegative
 from rapidsim.values import value_class
 
@@ -13,18 +20,28 @@ MM_BEHIND = 1e-6
 
 @value_class(frozen=True, slots=True)
 class ConveyorScript:
-    """Arrival of objects on a conveyor: a table [[conveyor]] of the station file."""
+    """A belt and the arrival of objects on it: a table [[conveyor]] of the station file."""
 
     unit: str
     """Name of its mechanical unit."""
     speed_mm_s: Annotated[AboveZero, Key("speed")]
-    """Its speed, which is constant."""
+    """Its speed while it runs."""
     first_s: Annotated[NotNegative, Key("at")] = 0.0
-    """Time [s] at which the first object passes the synchronisation switch."""
+    """Time [s] at which the first object passes the synchronisation switch, if the belt runs."""
     every_s: Annotated[AboveZero | None, Key("every")] = None
-    """Time from one object to the next; None if there is only one."""
+    """Time from one object to the next while the belt runs; None if there is only one."""
     length_mm: Annotated[AboveZero, Key("length")] = math.inf
-    """An object that travels this far without being taken is lost."""
+    """An object that travels this far from the switch without being taken is lost."""
+    runs: Condition | None = None
+    """While it holds, the belt runs; no key if it always does."""
+    arrival: Annotated[str | None, Key("object")] = None
+    """The [[object]] of which a copy arrives each time, at the pose of the object."""
+    surface: str | None = None
+    """The [[object]] on which parts that are put down travel with the belt."""
+    position: tuple[float, float, float] = (0.0, 0.0, 0.0)
+    """Position of the switch in the world [mm]."""
+    quaternion: tuple[float, float, float, float] = (1.0, 0.0, 0.0, 0.0)
+    """Orientation of the switch; the belt travels along its x axis."""
 
 
 @value_class(slots=True, eq=False)
@@ -32,17 +49,52 @@ class ConveyorState:
     """State of a conveyor during a run; implements `language.equipment.Conveyor`."""
 
     script: ConveyorScript
+    read: Callable[[str], float]
+    """Returns the value of a signal."""
     is_connected: bool = False
     _next: int = 0
     """Index of the object that is taken next."""
+    _since_s: float = 0.0
+    _travelled_s: float = 0.0
+    """Time of the belt at `_since_s`."""
+    _runs: bool = field(init=False)
+
+    def __post_init__(self) -> None:
+        """Look whether it runs at the start."""
+        self._runs = self._is_running()
+
+    @property
+    def stops(self) -> bool:
+        """Whether signals may stop the belt."""
+        return self.script.runs is not None
 
     def next_s(self, now_s: float, distance_mm: float) -> float | None:
-        """Time [s] at which the next object has travelled a distance; None if there is none."""
+        """Time [s] at which the next object has travelled a distance if the belt goes on as now.
+
+        None if there is no object; infinite if the belt stands before.
+        """
         script = self.script
+        belt_s = self._travelled_s + (now_s - self._since_s if self._runs else 0.0)
         late_s = (script.length_mm + MM_BEHIND) / script.speed_mm_s
-        while (passed_s := self._passes_s()) is not None and passed_s + late_s < now_s:
+        while (passed_s := self._passes_s()) is not None and passed_s + late_s < belt_s:
             self._next += 1
-        return None if passed_s is None else passed_s + distance_mm / script.speed_mm_s
+        if passed_s is None:
+            return None
+        wait_s = passed_s + distance_mm / script.speed_mm_s - belt_s
+        return now_s + wait_s if wait_s <= 0.0 or self._runs else math.inf
+
+    def listens_to(self, signal: str) -> bool:
+        """Whether a signal may start or stop the belt."""
+        runs = self.script.runs
+        return runs is not None and signal.lower() in [one.lower() for one in runs.signals()]
+
+    def signal_changed(self, signal: str, old: float, value: float, now_s: float) -> None:
+        """Start or stop the belt."""
+        self._travelled_s += now_s - self._since_s if self._runs else 0.0
+        self._since_s, self._runs = now_s, self._is_running()
+
+    def _is_running(self) -> bool:
+        return self.script.runs is None or self.script.runs.holds(self.read)
 
     def connect(self) -> None:
         """Take the next object."""
@@ -53,7 +105,7 @@ class ConveyorState:
         self.is_connected = False
 
     def _passes_s(self) -> float | None:
-        """Time [s] at which the next object passes the switch; None if there is none."""
+        """Time [s] of the belt at which the next object passes the switch; None for none."""
         every_s = self.script.every_s
         if self._next and every_s is None:
             return None

@@ -283,6 +283,7 @@ class CellIo:
         """Names of the signals that connections, stimuli and grippers read, each once."""
         looked_at = [cross.condition for cross in self.crosses]
         looked_at += [stimulus.when for stimulus in self.stimuli if stimulus.when]
+        looked_at += [one.runs for one in self.conveyors if one.runs]
         for gripper in self.grippers:
             looked_at += [one for one in (gripper.close, gripper.closed) if one is not None]
         return tuple(dict.fromkeys(name for one in looked_at for name in one.signals()))

@@ -18,6 +18,7 @@ from rapidsim.analysis.rules.control_flow.traps import NeverConnected
 from rapidsim.analysis.rules.table import detectors_of
 from rapidsim.analysis.suppressions import without_suppressed
 from rapidsim.diagnostics import Diagnostic
+from rapidsim.findings.collisions import is_of_cell
 from rapidsim.findings.runs import EndlessWait, UncaughtError, is_of_runs
 from rapidsim.jobs.checking.baseline import read_baseline
 from rapidsim.jobs.checking.bulk_representatives import findings_of_all
@@ -41,12 +42,11 @@ from rapidsim.syntax.parser import may_have_runs
 
 if TYPE_CHECKING:
     from rapidsim.motion.robot.robot import Robot
+    from rapidsim.reach.trial_run import CellRun
     from rapidsim.simulation.options import RunOptions
 
-CheckTogether: TypeAlias = Callable[
-    [Sequence[tuple[TaskFiles, LoadedProgram]]], tuple[Diagnostic, ...] | None
-]
-"""Returns the errors of a run of all tasks; None if such a run is inconclusive."""
+CheckTogether: TypeAlias = "Callable[[Sequence[tuple[TaskFiles, LoadedProgram]]], CellRun | None]"
+"""Returns the findings of a run of all tasks; None if such a run is impossible."""
 TaskMoves: TypeAlias = Callable[[TaskFiles, LoadedProgram, Callable[[], ReachReport]], ReachReport]
 """Returns the report on the moves of a loaded task: from its function argument, or from a cache."""
 
@@ -187,9 +187,9 @@ def _selection(job: Job) -> Selection:
 def _cell_check(job: Job) -> CheckTogether | None:
     if len(job.tasks) < 2 or not (job.request.reach and job.request.trial_run):
         return None
-    from rapidsim.jobs.checking.multitask_run import multitask_errors
+    from rapidsim.jobs.checking.multitask_run import multitask_findings
 
-    return partial(multitask_errors, job)
+    return partial(multitask_findings, job)
 
 
 def check_tasks(
@@ -228,7 +228,8 @@ def check_tasks(
     of_moves = [diagnostic for *_, report in checked for diagnostic in report.diagnostics]
     of_all = None if check_cell is None or disagreements else check_cell(looked_at)
     if of_all is not None:
-        of_moves = _as_all_tasks(of_moves, of_all)
+        of_moves = _as_all_tasks(of_moves, of_all.errors, is_of_runs)
+        of_moves = _as_all_tasks(of_moves, of_all.of_bodies, is_of_cell)
     found = [
         *(diagnostic for _, one in looked_at for diagnostic in one.diagnostics),
         *of_moves,
@@ -257,9 +258,15 @@ def _without_repeats(findings: Sequence[Diagnostic]) -> Iterator[Diagnostic]:
             yield finding
 
 
-def _as_all_tasks(alone: Iterable[Diagnostic], of_all: Iterable[Diagnostic]) -> list[Diagnostic]:
+def _as_all_tasks(
+    alone: list[Diagnostic],
+    of_all: Iterable[Diagnostic] | None,
+    replaces: Callable[[Diagnostic], bool],
+) -> list[Diagnostic]:
     """Replace findings of runs of single tasks by those of the more reliable run of all tasks."""
-    kept = [one for one in alone if not is_of_runs(one)]
+    if of_all is None:
+        return alone
+    kept = [one for one in alone if not replaces(one)]
     told = {(one.code, one.order) for one in kept}
     return [*kept, *(one for one in of_all if (one.code, one.order) not in told)]
 

@@ -1,11 +1,11 @@
-"""Errors that end a run of all tasks of a cell, as reported by a check."""
+"""Findings of a run of all tasks of a cell, as reported by a check."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
+from typing import TYPE_CHECKING
 
-from rapidsim.diagnostics import Diagnostic
 from rapidsim.files import InputError
 from rapidsim.jobs.checking.checked_program import LoadedProgram
 from rapidsim.jobs.checking.load_tasks import LoadedTask
@@ -17,11 +17,14 @@ from rapidsim.reach.checked_moves import MOST_MOVES_FOR_ERRORS
 from rapidsim.reach.dataflow.written_moves import written_moves
 from rapidsim.station.tasks import DEFAULT_TASK
 
+if TYPE_CHECKING:
+    from rapidsim.reach.trial_run import CellRun
 
-def multitask_errors(
+
+def multitask_findings(
     job: Job, tasks: Sequence[tuple[TaskFiles, LoadedProgram]]
-) -> tuple[Diagnostic, ...] | None:
-    """Run all tasks as `rapidsim run` does, for a short time; None if that is inconclusive.
+) -> CellRun | None:
+    """Run all tasks as `rapidsim run` does, for a short time; None if that is impossible.
 
     Args:
         job: The job to check.
@@ -49,7 +52,7 @@ def multitask_errors(
         return None
     setups = [replace(setup, entry=job.entry(setup.name)) for setup in bare]
     found = run_all_tasks(setups, run_options(job))
-    if found is None:
-        return None
-    found = attribute_to_targets(found, [one.program for one in named])
-    return of_unnamed_arm(found) if job.is_arm_guessed else found
+    if found is None or found.errors is None:
+        return found
+    errors = attribute_to_targets(found.errors, [one.program for one in named])
+    return replace(found, errors=of_unnamed_arm(errors) if job.is_arm_guessed else errors)

@@ -48,7 +48,16 @@ def log_bodies(stream: rr.RecordingStream, runs: Sequence[RecordedRobot]) -> Non
                 columns=moving_frame(WORLD, frame, _course(poses, number)),
             )
         stream.log(entity, rr.CoordinateFrame(frame), static=True)
-        stream.log(entity, surface(_within_sight(body.shape), one.colour), static=True)
+        shape = surface(_within_sight(body.shape), one.colour)
+        if body.is_lasting:
+            stream.log(entity, shape, static=True)
+        elif body.from_s < body.until_s:
+            clock.set(stream, body.from_s)
+            stream.log(entity, shape)
+            if body.until_s < np.inf:
+                clock.set(stream, body.until_s)
+                stream.log(entity, rr.Clear(recursive=False))
+            stream.reset_time()
     for number, contacts in _by_body(collisions):
         _log_red(stream, runs, collisions, number, contacts)
 

@@ -27,8 +27,10 @@ def objects_data(simulation: Simulation, times: Array) -> list[dict[str, object]
         stands = picture_from_world @ poses.of(number)
         if body.is_static:
             stands = stands[:1]
+        spans = {} if body.is_lasting else {"exists": _within(times, body.from_s, body.until_s)}
         found.append(
             {
+                **spans,
                 "name": one.name,
                 "colour": one.hex_colour,
                 "parts": [
@@ -40,3 +42,8 @@ def objects_data(simulation: Simulation, times: Array) -> list[dict[str, object]
             }
         )
     return found
+
+
+def _within(times: Array, from_s: float, until_s: float) -> list[float]:
+    """Return the part of an interval [s] that is within the times of the page."""
+    return [max(from_s, float(times[0])), min(until_s, float(times[-1]) + 1.0)]

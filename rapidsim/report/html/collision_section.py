@@ -9,10 +9,13 @@ from rapidsim.report.html.elements import prose, section, table, text, tile
 from rapidsim.report.run.collision_records import (
     ClearanceRecord,
     ContactRecord,
+    PartEventRecord,
     clearance_records,
     contact_records,
+    part_event_records,
 )
 from rapidsim.report.run.summary import shape_margins
+from rapidsim.simulation.results.collisions import Collisions
 from rapidsim.simulation.results.simulation import Simulation
 
 _MOST = 100
@@ -73,20 +76,37 @@ def collision_section(simulation: Simulation) -> str:
             + _scrolled(table(heads, rows, kind="events"))
         )
         parts.append(_omitted_count(len(nearest), "moves"))
-    if not parts:
+    if collisions.part_events:
+        parts.append(_part_events(simulation, collisions))
+    if not contacts and not nearest:
         parts.append(f"<p>Nothing came within {1000.0 * FARTHEST_M:g} mm of anything.</p>")
     remarks = [f"not checked: {one}" for one in collisions.remarks]
     for one in (*shape_margins(simulation, collisions), *remarks):
         parts.append(f'<p class="aside">{prose(one)}</p>')
-    pairs = len(collisions.scene.pairs)
+    pairs = collisions.pair_count
     return section("collisions", "Collisions", "".join(parts), f"{pairs} pairs of bodies checked")
 
 
-def _line(record: ContactRecord | ClearanceRecord) -> str:
+def _part_events(simulation: Simulation, collisions: Collisions) -> str:
+    """Return the table of the parts' events."""
+    rows = [
+        (
+            f"{one.time_s:.3f}",
+            prose(one.part or "no part"),
+            one.change.value,
+            prose(one.carrier),
+            text(_line(one)),
+        )
+        for one in part_event_records(simulation, collisions)[:_MOST]
+    ]
+    heads = (">time [s]", "part", "", "by, on", "line")
+    omitted = _omitted_count(len(collisions.part_events), "events")
+    return f"<h3>Parts</h3>{_scrolled(table(heads, rows, kind='events'))}{omitted}"
+
+
+def _line(record: ContactRecord | ClearanceRecord | PartEventRecord) -> str:
     routine = "" if record.routine is None else f" in {record.routine}"
-    return (
-        record.task if record.file is None else f"{Path(record.file).name}:{record.line}{routine}"
-    )
+    return f"{Path(record.file).name}:{record.line}{routine}" if record.file else record.task
 
 
 def _omitted_count(count: int, subject: str) -> str:

@@ -10,6 +10,7 @@ from rapidsim.controller.moves.executed_move import CornerKind
 from rapidsim.diagnostics import Diagnostic, Severity
 from rapidsim.report.run.error_records import dropped_error_count, error_count
 from rapidsim.report.run.figures import Figures
+from rapidsim.simulation.results.parts import PartCounts
 from rapidsim.simulation.results.simulation import Simulation
 
 _Read: TypeAlias = Callable[[Simulation, Figures, Sequence[Diagnostic]], float]
@@ -39,9 +40,17 @@ ASKED_FIGURES: Mapping[str, _Read] = MappingProxyType(
         "unsimulated": lambda run, *_: len(run.unsimulated),
         "errors": lambda run, *_: error_count(run),
         "errors_dropped": lambda run, *_: dropped_error_count(run),
+        "collisions": lambda run, *_: len(run.collisions.crashes) if run.collisions else 0,
+        "parts_moved": lambda run, *_: _part_counts(run).moved,
+        "parts_delivered": lambda run, *_: _part_counts(run).delivered,
+        "parts_lost": lambda run, *_: _part_counts(run).lost,
     }
 )
 """By name, in the order of the documentation."""
+
+
+def _part_counts(run: Simulation) -> PartCounts:
+    return run.collisions.part_counts if run.collisions else PartCounts(0, 0, 0, 0)
 
 
 def asked_figures(

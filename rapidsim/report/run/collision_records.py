@@ -2,12 +2,17 @@
 
 from __future__ import annotations
 
+from typing import Annotated
+
 import numpy as np
 
 from rapidsim.collisions.contact import Clearance, Contact
 from rapidsim.frames.transform import Array, Transform
-from rapidsim.json_records.declarations import Rounded
+from rapidsim.json_records.declarations import Key, OrAbsent, Rounded
 from rapidsim.report.run.records import PoseRecord
+from rapidsim.simulation.results.collisions import Collisions
+from rapidsim.simulation.results.part_statements import place_of
+from rapidsim.simulation.results.parts import PartChange
 from rapidsim.simulation.results.simulation import Simulation
 from rapidsim.values import value_class
 
@@ -56,6 +61,39 @@ class ClearanceRecord:
 
 
 @value_class(frozen=True, slots=True)
+class PartEventRecord:
+    """A part changed its carrier, or a gripper closed on nothing."""
+
+    time_s: Rounded
+    change: PartChange
+    part: str
+    """Its name; empty if a gripper closed on nothing."""
+    carrier: str
+    """The gripper, or the body on which it rests; empty in the air."""
+    task: str
+    """Robot of the gripper; the first one if there is none."""
+    file: str | None
+    line: int | None
+    routine: str | None
+
+
+@value_class(frozen=True, slots=True)
+class PartsRecord:
+    """The parts of a run."""
+
+    total: Annotated[int, Key("made")]
+    """All parts."""
+    moved: int
+    """Parts that were put down somewhere."""
+    delivered: int
+    """Parts that disappeared at a sink."""
+    lost: int
+    """Parts that were dropped and not taken again."""
+    events: tuple[PartEventRecord, ...]
+    """Changes of their carriers in order of time."""
+
+
+@value_class(frozen=True, slots=True)
 class RunCollisions:
     """Contacts and clearances of a run; absent if the station has no bodies."""
 
@@ -67,6 +105,8 @@ class RunCollisions:
     """Least clearance of each move with a body nearby, the worst first."""
     not_judged: tuple[str, ...]
     """Parts of the cell without a search for contacts."""
+    parts: OrAbsent[PartsRecord] = None
+    """Parts that grippers take; absent if the station has none."""
 
 
 def run_collisions(simulation: Simulation) -> RunCollisions | None:
@@ -80,7 +120,30 @@ def run_collisions(simulation: Simulation) -> RunCollisions | None:
         None if nearest is None else nearest.distance_m * _MM,
         clearance_records(simulation),
         tuple(collisions.remarks),
+        _parts(simulation, collisions) if collisions.parts else None,
     )
+
+
+def _parts(simulation: Simulation, collisions: Collisions) -> PartsRecord:
+    counts, events = collisions.part_counts, part_event_records(simulation, collisions)
+    return PartsRecord(counts.total, counts.moved, counts.delivered, counts.lost, events)
+
+
+def part_event_records(
+    simulation: Simulation, collisions: Collisions
+) -> tuple[PartEventRecord, ...]:
+    """The events of parts in order of time."""
+    records = []
+    for one in collisions.part_events:
+        task, place = simulation.robots[one.robot].task, place_of(simulation, one)
+        file, line, routine = (
+            (None, None, None)
+            if place is None
+            else (place.span.file, place.span.line, place.routine)
+        )
+        names = (one.change, one.part, one.carrier)
+        records.append(PartEventRecord(one.time_s, *names, task, file, line, routine))
+    return tuple(records)
 
 
 def contact_records(simulation: Simulation) -> tuple[ContactRecord, ...]:

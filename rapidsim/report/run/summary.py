@@ -31,6 +31,7 @@ from rapidsim.report.unbreakable_units import UnbreakableUnits
 from rapidsim.report.untruncated_table import UntruncatedTable
 from rapidsim.simulation.results.active_limits import most_frequent
 from rapidsim.simulation.results.collisions import Collisions
+from rapidsim.simulation.results.parts import PartCounts
 from rapidsim.simulation.results.persistents import PersistentChange, parts_of
 from rapidsim.simulation.results.simulation import Simulation
 from rapidsim.simulation.results.time_shares import Share
@@ -148,6 +149,8 @@ def _facts(
         facts.add_row("singularity", _singularity(figures.singularity, several=several))
     if simulation.collisions is not None:
         facts.add_row("collisions", _collisions(simulation, simulation.collisions))
+        if simulation.collisions.part_events:
+            facts.add_row("parts", _parts(simulation.collisions.part_counts))
     for name, value in _event_rows(simulation):
         facts.add_row(name, value)
     return facts
@@ -238,6 +241,14 @@ def _collisions(simulation: Simulation, collisions: Collisions) -> Text:
     for what in collisions.remarks:
         text.append(f"\nnot checked: {what}", "yellow")
     return text
+
+
+def _parts(counts: PartCounts) -> Text:
+    """Number of parts, and of those that were moved and lost."""
+    said = f"{counts.total}: {counts.moved} moved"
+    said += f", {counts.delivered} delivered" if counts.delivered else ""
+    said += f", {counts.lost} lost" if counts.lost else ""
+    return Text(said, "red" if counts.lost else "")
 
 
 def shape_margins(simulation: Simulation, collisions: Collisions) -> list[str]:

@@ -171,7 +171,7 @@ def run_verdict(
     phrases = (phrase for qualify in qualifiers for phrase in qualify(simulation))
     qualifications = (*phrases, *reservations)
     failure = _failure(simulation, qualified=bool(qualifications), assertions_fail=assertions_fail)
-    if failure in (Failure.PROGRAM, Failure.ASSERTION) or _hits(simulation):
+    if failure in (Failure.PROGRAM, Failure.ASSERTION) or _has_cell_errors(simulation):
         level = Level.FAILED
     else:
         # A run that reached a limit is incomplete, not wrong.
@@ -184,7 +184,7 @@ def _failure(simulation: Simulation, *, qualified: bool, assertions_fail: bool) 
         return Failure.PROGRAM
     if simulation.end is End.TIME_LIMIT:
         return Failure.LIMIT
-    if _hits(simulation) or (qualified and simulation.strict):
+    if _has_cell_errors(simulation) or (qualified and simulation.strict):
         return Failure.PROGRAM
     return Failure.ASSERTION if assertions_fail else None
 
@@ -206,10 +206,14 @@ def _headline(simulation: Simulation, qualifications: tuple[str, ...]) -> str:
     if qualifications and simulation.end is End.ENDED:
         words = _QUALIFIED_END
     text = f"{words} after {simulation.time_s:.3f} s"
-    if hits := _hits(simulation):
-        text += f", with {hits} collision{'s' if hits > 1 else ''}"
+    if (cell := simulation.collisions) is not None:
+        counts = (("collision", len(cell.crashes)), ("part error", len(cell.part_errors)))
+        said = [f"{count} {name}{'s' if count > 1 else ''}" for name, count in counts if count]
+        text += f", with {' and '.join(said)}" if said else ""
     return "; ".join((text, *qualifications))
 
 
-def _hits(simulation: Simulation) -> int:
-    return 0 if simulation.collisions is None else len(simulation.collisions.hits)
+def _has_cell_errors(simulation: Simulation) -> bool:
+    """Whether bodies of the cell touch, or a part is not where the program takes or puts it."""
+    cell = simulation.collisions
+    return cell is not None and bool(cell.crashes or cell.part_errors)

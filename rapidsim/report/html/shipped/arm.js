@@ -89,6 +89,7 @@ function objectFrame({ turn, place }, t) {
 
 function objectOutlines(at) {
   return objects.flatMap(object => {
+    if (object.exists && !(object.exists[0] <= view.now && view.now < object.exists[1])) return [];
     const frame = objectFrame(object, view.now);
     // What is large lies under other things more often than over them: its farthest corner counts.
     return object.parts.map(corners => outlineOf(frame, corners, object.colour, at, depths => Math.min(...depths)));
