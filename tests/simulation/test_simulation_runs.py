@@ -40,8 +40,9 @@ def _rows(text: str) -> int:
     """How many moves are executed as rows of a run."""
     task = TaskFiles("T_ROB1", (SourceFile("m.mod", text, "utf-8"),))
     with patch.object(load_tasks, "MOST_STATEMENTS", _FEW):
-        found = load_tasks.load_tasks([task], in_runs=True)
-    return sum(len(run) for task in found.tasks for one in task.program.modules for run in one.runs)
+        found = load_tasks.load_tasks([task], in_runs=True, keeps_data=False)
+    modules = (one for task in found.tasks for one in task.program.modules)
+    return sum(len(run) for one in modules for run in one.runs if not run.names)
 
 
 def _assert_the_same(text: str, folder: Path, *options: str) -> Ended:
@@ -67,15 +68,39 @@ def _assert_the_same(text: str, folder: Path, *options: str) -> Ended:
     return made[0][0]
 
 
-@pytest.mark.parametrize("form", ["inline", "mixed"])
+@pytest.mark.parametrize("form", ["inline", "mixed", "named"])
 def test_moves_are_executed_as_runs(form: str, tmp_path: Path) -> None:
     assert _assert_the_same(_text(form), tmp_path).code == 0
     # The first move is a MoveJ, the last one stops; of a run three lines are parsed.
     assert _rows(_text(form)) == _COUNT - 2 - 3
 
 
-def test_moves_by_name_and_what_they_name_stay_statements() -> None:
-    assert not _rows(_text("named"))
+@pytest.mark.parametrize(
+    "statement",
+    [
+        "MoveL p7,v200,z1,tool0;",
+        'GetDataVal "p"+ValToStr(7),other;\nMoveL other,v200,z1,tool0;',
+        'Load \\Dynamic,"HOME:"\\File:="more.mod";',
+    ],
+)
+def test_targets_that_something_else_may_name_stay_data(statement: str, tmp_path: Path) -> None:
+    text = _text("named").replace("  ENDPROC", f"{statement}\n  ENDPROC")
+    text = text.replace("  PROC", "  VAR robtarget other;\n  PROC")
+    assert _rows(text) < _COUNT - 5
+    _assert_the_same(text, tmp_path)
+
+
+def test_a_named_target_of_a_run_out_of_reach(tmp_path: Path) -> None:
+    text = re.sub(r"(p9:=)\[\[[0-9.]+", r"\g<1>[[9000.000", _text("named"))
+    assert _rows(text)
+    ended = _assert_the_same(text, tmp_path)
+    assert ended.code == 1
+    assert "p9" in ended.out
+
+
+def test_assertions_may_name_the_targets_of_a_run(tmp_path: Path) -> None:
+    ended = _assert_the_same(_text("named"), tmp_path, "--assert", "p9.trans.x > 9000")
+    assert ended.code == ExitCode.FAILED
 
 
 @pytest.mark.parametrize(
