@@ -21,7 +21,7 @@ from rapidsim.frames.transform import Array
 _DIGITS = 4.0 * np.finfo(np.float64).eps
 _MOST_STEPS = 100
 _NEWTON_STEPS = 6
-"""Where the method converges quickly, two to five suffice."""
+"""Maximum number of steps; two to five suffice where the method converges quickly."""
 
 
 def first_crossing_by_slope(
