@@ -6,7 +6,6 @@ is still moving.
 
 from __future__ import annotations
 
-from bisect import bisect_right
 from collections.abc import Iterator, Sequence
 from collections.abc import Set as AbstractSet
 
@@ -69,18 +68,22 @@ def early_output_findings(
 def _early(
     events: Sequence[Event], robot_run: RobotRun, traps: AbstractSet[str]
 ) -> Iterator[_Early]:
-    starts = [move.start_s for move in robot_run.moves]
-    by_moves = {(move.place.span.file, move.place.span.start) for move in robot_run.moves}
+    switched = [one for one in events if one.kind is EventKind.SIGNAL]
+    if not switched:
+        return
+    columns = robot_run.moves.columns
+    by_moves = {(place.span.file, place.span.start) for place in columns.places}
     set_at: set[tuple[float, str]] = set()
-    for event in events:
+    for event in switched:
         place = event.place
-        if event.kind is not EventKind.SIGNAL or event.task != robot_run.task or place is None:
+        if event.task != robot_run.task or place is None:
             continue
         if place.routine.lower() in traps or (place.span.file, place.span.start) in by_moves:
             # Outputs of the move itself are set at its target.
             continue
-        number = bisect_right(starts, event.time_s + _AT_ONCE_S) - 1
-        while number >= 0 and robot_run.moves[number].index >= event.moves_given:
+        latest_s = event.time_s + _AT_ONCE_S
+        number = int(np.searchsorted(columns.start_s, latest_s, side="right")) - 1
+        while number >= 0 and columns.index[number] >= event.moves_given:
             # It starts at this very instant, but its instruction follows the output.
             number -= 1
         if number < 0:
