@@ -65,8 +65,6 @@ def first_crossing_by_slope(
             break
         x = found[row]
     slow[row] = True
-    # Not before the crossing, as with `first_crossing`.
-    found = np.minimum(found + 0.5 * within, late)
     rest = np.flatnonzero(slow)
     found[rest] = first_crossing(
         lambda now, of: function(now)[0] - level[rest[of]], early[rest], late[rest], within=within
