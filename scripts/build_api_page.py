@@ -12,6 +12,7 @@ from functools import cached_property
 from pathlib import Path
 
 import rapidsim
+from rapidsim.api.moves import MoveArrays, Moves
 from rapidsim.api.views import ArmMotion, ArmState, Datum, Edge, SignalHistory
 from rapidsim.diagnostics import Diagnostic
 from rapidsim.frames.transform import Transform
@@ -45,6 +46,8 @@ NAMES = (
 """In the order in which one meets them; together with the version, all of `rapidsim.__all__`."""
 RETURNED = (
     Diagnostic,
+    Moves,
+    MoveArrays,
     MoveRecord,
     WaitRecord,
     SignalHistory,

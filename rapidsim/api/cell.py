@@ -158,7 +158,7 @@ class Cell:
             max_cycles=cycles,
             starts_at=starts_at,
         )
-        return run_of(run_job(job(asked)))
+        return run_of(run_job(job(asked), keeps_data=True))
 
     def call(
         self,

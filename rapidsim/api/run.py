@@ -14,6 +14,7 @@ import numpy as np
 from rapidsim.analysis.literals import Value
 from rapidsim.analysis.program import DataSymbol
 from rapidsim.analysis.types.operators import has_value
+from rapidsim.api.moves import Moves
 from rapidsim.api.views import (
     ArmMotion,
     Datum,
@@ -35,7 +36,7 @@ from rapidsim.report.html.write import write_report
 from rapidsim.report.run.error_records import ErrorRecord, error_records
 from rapidsim.report.run.figures import figures
 from rapidsim.report.run.json_report import RunFiles, run_json
-from rapidsim.report.run.records import MoveRecord, WaitRecord, move_records, wait_records
+from rapidsim.report.run.records import WaitRecord, wait_records
 from rapidsim.simulation.result_builder import FinishedRun
 from rapidsim.simulation.results.simulation import End, RobotRun, Simulation
 from rapidsim.simulation.results.verdict import run_verdict
@@ -88,9 +89,9 @@ class Run:
         return 1000.0 * self.simulation.path_m
 
     @cached_property
-    def moves(self) -> tuple[MoveRecord, ...]:
-        """The moves of all robots, robot after robot."""
-        return move_records(self.simulation)
+    def moves(self) -> Moves:
+        """The moves of all robots, robot after robot; `moves.columns` are arrays."""
+        return Moves(self.simulation)
 
     @cached_property
     def waits(self) -> tuple[WaitRecord, ...]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -55,6 +56,10 @@ class TaskMotion:
     def move(self, move: Move, triggers: tuple[Trigger, ...] = ()) -> None:
         """Append a move to the path, with the triggers along it."""
         self.put(move, lambda queued: self.triggers.mark(queued, triggers))
+
+    def expect(self, targets: Sequence[RobTarget]) -> None:
+        """Announce the targets of the next moves."""
+        self.resolver.expected.expect(targets)
 
     def current_joints(self) -> JointTarget:
         """Current positions of the axes."""

@@ -158,6 +158,10 @@ class Motion(Protocol):
         """
         ...
 
+    def expect(self, targets: Sequence[RobTarget]) -> None:
+        """Announce the targets of the next moves, which probably differ in nothing else."""
+        ...
+
     def current_joints(self) -> JointTarget:
         """Current positions of the axes."""
         ...

@@ -19,6 +19,7 @@ from rapidsim.diagnostics import Diagnostic
 from rapidsim.files import InputError
 from rapidsim.jobs.checking.check_files import check_job
 from rapidsim.jobs.inputs.job import Job
+from rapidsim.language.moves import Place
 from rapidsim.lsp.run_results import RunMove, RunSummary
 from rapidsim.values import value_class
 from rapidsim.workspace.workspace import is_of_text
@@ -139,7 +140,7 @@ def run_of(job: Job, entry: str, recording: str, report: str = "") -> RunAnswer:
             RunMove(
                 start=span.start,
                 end=span.end,
-                to=_target(move),
+                to=_target(move.place),
                 start_s=move.start_s,
                 end_s=move.end_s,
                 corner=move.corner.value,
@@ -154,8 +155,8 @@ def run_of(job: Job, entry: str, recording: str, report: str = "") -> RunAnswer:
     return RunAnswer(summary, {path: tuple(of) for path, of in moves.items()})
 
 
-def _target(move: object) -> str:
-    """Return the target of a move as the program writes it; empty for a computed one."""
+def _target(place: Place) -> str:
+    """Return the target of the move at a place as the program writes it; empty if computed."""
     from rapidsim.simulation.results.time_shares import argument  # noqa: PLC0415
 
-    return argument(move, "topoint", "tojointpos") or ""  # type: ignore[arg-type]
+    return argument(place, "topoint", "tojointpos") or ""

@@ -58,7 +58,7 @@ def end_mm(run: SampledRun, move: ExecutedMove) -> Array:
 
 def target_name(move: ExecutedMove) -> str:
     """Return the end of a move as a short text."""
-    words = end_point(move)
+    words = end_point(move.place)
     return words if len(words) <= _NAME_LETTERS else f"{words[: _NAME_LETTERS - 1]}…"
 
 

@@ -8,8 +8,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from types import MappingProxyType
 
-from rapidsim.controller.moves.executed_move import ExecutedMove
-from rapidsim.language.moves import Interpolation
+from rapidsim.language.moves import Interpolation, Move
 from rapidsim.motion.timing.constraints import Quantity
 from rapidsim.simulation.results import move_kinds
 from rapidsim.simulation.results.move_kinds import MOVE_KINDS
@@ -83,9 +82,9 @@ AXES: tuple[Colour, Colour, Colour] = ((235, 70, 70), (80, 200, 90), (70, 130, 2
 """x, y, z of a frame."""
 
 
-def of_move(move: ExecutedMove) -> Colour:
+def of_move(move: Move) -> Colour:
     """Return the colour of a move by its interpolation."""
-    return MOVES[move.move.interpolation]
+    return MOVES[move.interpolation]
 
 
 def darker(colour: Colour) -> Colour:

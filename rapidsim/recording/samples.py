@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from rapidsim.controller.moves.executed_move import ExecutedMove
+from rapidsim.controller.moves.executed_moves import MoveRow
 from rapidsim.files import InputError
 from rapidsim.frames.transform import Array, Transform
 from rapidsim.motion.configurations.targets import world_from_base_at
@@ -74,7 +74,7 @@ class RecordedRobot:
         """Positions of the TCP at all samples (k, 3) [m], in the still frame."""
         return self.still_from(self.samples.base_from_tcp, self.samples.external).translation
 
-    def still_from_end(self, move: ExecutedMove) -> Transform:
+    def still_from_end(self, move: MoveRow) -> Transform:
         """Return the programmed end of a move in the still frame."""
         end = move.base_from_tcp
         if not self.on_track:
@@ -123,7 +123,7 @@ def sample(simulation: Simulation, dt: float | None) -> tuple[RecordedRobot, ...
             "take a larger `--record-dt`",
         )
     step = dt if dt is not None else max(DEFAULT_DT, len(robots) * end_s / MOST_SAMPLES)
-    clock = clock_of(move for robot in robots for move in robot.moves)
+    clock = clock_of(simulation.moves)
     several = len(robots) > 1
     return tuple(
         RecordedRobot(

@@ -6,12 +6,12 @@ together, in the order of their starts.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 
 import numpy as np
 import rerun as rr
 
-from rapidsim.controller.moves.executed_move import ExecutedMove
+from rapidsim.controller.moves.executed_moves import ExecutedMoves
 from rapidsim.frames.transform import Array
 from rapidsim.values import value_class
 
@@ -48,6 +48,6 @@ class Clock:
         return np.maximum(begun, 0).astype(np.int64)
 
 
-def clock_of(moves: Iterable[ExecutedMove]) -> Clock:
+def clock_of(moves: ExecutedMoves) -> Clock:
     """Return the clock of a run with these moves."""
-    return Clock(np.sort(np.array([move.start_s for move in moves], dtype=np.float64)))
+    return Clock(np.sort(moves.columns.start_s))

@@ -4,11 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 
+import numpy as np
+
 from rapidsim.analysis.program import Program
 from rapidsim.controller.cell.cell import Cell
 from rapidsim.controller.journal.events import Event, EventKind, Unsimulated
 from rapidsim.controller.journal.journal import Journal
-from rapidsim.controller.moves.executed_move import CornerKind, ExecutedMove
+from rapidsim.controller.moves.executed_move import CornerKind
+from rapidsim.controller.moves.executed_moves import ExecutedMoves, MoveColumns
 from rapidsim.controller.moves.motion_findings import hasty_move_findings
 from rapidsim.diagnostics import Diagnostic
 from rapidsim.interpreter.linking.loader import Task
@@ -94,7 +97,7 @@ def _simulation(
     )
     moves = numbered_moves(robots)
     events = _sorted_events(runs[0].journal, moves)
-    motion_s = _motion_s(moves, time_s)
+    motion_s = _motion_s(moves.columns, time_s)
     ends = [outcome.end for outcome in outcomes]
     return Simulation(
         program=options.program_files,
@@ -193,25 +196,23 @@ def _not_simulated(runs: Sequence[TaskRun]) -> tuple[Unsimulated, ...]:
     )
 
 
-def _motion_s(moves: Sequence[ExecutedMove], until_s: float) -> float:
+def _motion_s(moves: MoveColumns, until_s: float) -> float:
     """Return the time in motion [s]: overlapping moves, also of several robots, count once.
 
     Args:
         moves: Moves of all robots.
         until_s: The end of the run [s]; a robot that is stopped there is at rest only later.
     """
-    total_s = 0.0
-    reached_s = 0.0
-    for move in sorted(moves, key=lambda move: move.start_s):
-        start_s = max(move.start_s, reached_s)
-        end_s = min(move.end_s, until_s)
-        total_s += max(0.0, end_s - start_s)
-        reached_s = max(reached_s, end_s)
-    return total_s
+    order = np.argsort(moves.start_s, kind="stable")
+    end_s = np.minimum(moves.end_s[order], until_s)
+    reached_s = np.maximum.accumulate(np.concatenate([[0.0], end_s]))[:-1]
+    lasts_s = end_s - np.maximum(moves.start_s[order], reached_s)
+    return float(np.cumsum(np.append(0.0, np.maximum(lasts_s, 0.0)))[-1])
 
 
-def _sorted_events(journal: Journal, moves: tuple[ExecutedMove, ...]) -> tuple[Event, ...]:
+def _sorted_events(journal: Journal, moves: ExecutedMoves) -> tuple[Event, ...]:
     """Events by time, with the corners that became stops because the next move was late."""
+    late = CornerKind.STOP_CORNER_PATH_FAILURE
     failures = tuple(
         Event(
             move.end_s,
@@ -221,7 +222,6 @@ def _sorted_events(journal: Journal, moves: tuple[ExecutedMove, ...]) -> tuple[E
             "corner path failure: the next move was not known in time and the robot stopped",
             {"move": move.index, "cf": "ABB 50024"},
         )
-        for move in moves
-        if move.corner is CornerKind.STOP_CORNER_PATH_FAILURE
+        for move in (moves[at] for at, kind in enumerate(moves.columns.corners) if kind is late)
     )
     return tuple(sorted((*journal.events(), *failures), key=lambda event: event.time_s))

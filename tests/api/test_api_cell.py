@@ -40,6 +40,12 @@ def test_a_run_is_what_the_command_says(run: Run, tmp_path: Path) -> None:
     assert (run.end, run.ok, run.error) == ("ended", True, None)
     assert run.time_s == pytest.approx(run.motion_s + run.wait_s)
     assert [move.instruction for move in run.moves] == ["MoveAbsJ", "MoveAbsJ"]
+    columns = run.moves.columns
+    assert columns.joints_deg == pytest.approx(np.array([move.joints_deg for move in run.moves]))
+    ends = np.array([move.target.position_mm for move in run.moves])
+    assert columns.position_mm == pytest.approx(ends)
+    for name in ("index", "line", "start_s", "end_s", "length_mm", "speed_mm_s", "zone_mm"):
+        assert getattr(columns, name).tolist() == [getattr(move, name) for move in run.moves]
     assert run.moves[0].joints_deg[4] == pytest.approx(40.0)
 
 

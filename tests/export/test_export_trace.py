@@ -14,6 +14,7 @@ import pytest
 from changed_run import with_robot
 
 from rapidsim.controller.journal.events import Event, EventKind
+from rapidsim.controller.moves.executed_moves import moves_of
 from rapidsim.diagnostics import Source, Span
 from rapidsim.export.events import write_events
 from rapidsim.export.trace import WRITERS, write_trace
@@ -66,7 +67,7 @@ def run(end_s: float = 1.0) -> Simulation:
                 task="T_ROB1",
                 robot=robot,
                 world_from_base=Transform.identity(),
-                moves=(),
+                moves=moves_of(()),
                 lines=(),
                 trajectory=Turning(robot, end_s),
                 path_m=0.25 * end_s,

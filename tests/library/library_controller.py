@@ -15,7 +15,7 @@ from undisturbed import Undisturbed
 
 from rapidsim.diagnostics import Source, Span
 from rapidsim.language.cameras import Camera
-from rapidsim.language.controller import Controller
+from rapidsim.language.controller import Controller, Motion
 from rapidsim.language.data import (
     NO_EXTERNAL_AXES,
     TOOL0,
@@ -107,7 +107,7 @@ class RecordingController(NoSockets, PartsAtRest, Undisturbed):
     def whole(self) -> Controller:
         """All concerns in one; mypy holds it against the protocol of most."""
         whole = Controller(
-            *(self, self, self, self, self, self, self, self, self, self, self, self),
+            *(self, self, cast(Motion, self), self, self, self, self, self, self, self, self, self),
             *(self, self, self, self, self, self, self, self, self, self, self, self),
             cast(Messages, self),
             cast(Guidance, self),

@@ -15,6 +15,7 @@ from changed_run import with_robot
 
 from rapidsim.controller.journal.events import Event, EventKind, ExecutedLine
 from rapidsim.controller.moves.executed_move import CornerKind, ExecutedMove
+from rapidsim.controller.moves.executed_moves import moves_of
 from rapidsim.diagnostics import Diagnostic, Source, Span
 from rapidsim.findings.runs import RoutineNotSimulated
 from rapidsim.frames.transform import Array, Transform, slerp
@@ -189,7 +190,7 @@ def cell(robot: Robot | None = None, *, rounds: int = 2) -> Simulation:
                 task="T_ROB1",
                 robot=robot,
                 world_from_base=Transform.identity(),
-                moves=moves,
+                moves=moves_of(moves),
                 lines=_lines(moves),
                 trajectory=EasyTrajectory(robot, legs, end_s),
                 path_m=sum(move.length_m for move in moves),
@@ -296,6 +297,6 @@ def two_robots(apart_m: float = 1.6) -> Simulation:
         run.only,
         task="T_ROB2",
         world_from_base=Transform(half_turn, np.array([apart_m, 0.3, 0.0])),
-        moves=tuple(replace(move, task="T_ROB2") for move in run.moves),
+        moves=moves_of(replace(move, task="T_ROB2") for move in run.moves),
     )
     return replace(run, robots=(run.only, other))

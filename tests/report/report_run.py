@@ -6,6 +6,7 @@ import numpy as np
 
 from rapidsim.controller.journal.events import Event, EventKind, Unsimulated
 from rapidsim.controller.moves.executed_move import CornerKind, ExecutedMove
+from rapidsim.controller.moves.executed_moves import moves_of
 from rapidsim.diagnostics import Source, Span
 from rapidsim.frames.transform import Array, Transform
 from rapidsim.language.data import (
@@ -140,7 +141,7 @@ def run() -> Simulation:
                 task="T_ROB1",
                 robot=ROBOT,
                 world_from_base=Transform.identity(),
-                moves=moves,
+                moves=moves_of(moves),
                 lines=(),
                 trajectory=cast(Trajectory, StraightTrajectory()),
                 path_m=0.3,

@@ -16,6 +16,7 @@ from changed_run import with_robot
 
 import rapidsim
 from rapidsim.controller.journal.events import Event, EventKind
+from rapidsim.controller.moves.executed_moves import moves_of
 from rapidsim.files import InputError
 from rapidsim.frames.transform import Array, Transform
 from rapidsim.report.html.packing import packed
@@ -156,7 +157,7 @@ def test_signals_have_lanes(simulation: Simulation) -> None:
 def test_several_robots_stand_in_the_world_they_share(simulation: Simulation) -> None:
     first = simulation.robots[0]
     shift = Transform(np.eye(3), np.array([0.0, 2.0, 0.0]))
-    moves = tuple(replace(move, task="T_ROB2") for move in first.moves)
+    moves = moves_of(replace(move, task="T_ROB2") for move in first.moves)
     other = replace(first, task="T_ROB2", world_from_base=shift, moves=moves)
     page = report_page(replace(simulation, robots=(first, other)), ())
     assert data_of(page)["frame"] == "world"

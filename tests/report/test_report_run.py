@@ -12,6 +12,7 @@ from report_run import HOME, PICK, ROBOT, SOURCE, run
 from rich.console import Console
 
 from rapidsim.controller.moves.executed_move import CornerKind
+from rapidsim.controller.moves.executed_moves import moves_of
 from rapidsim.diagnostics import Diagnostic, Span
 from rapidsim.findings.runs import QuestionUnanswered
 from rapidsim.json_records.encoding import json_of
@@ -218,7 +219,7 @@ def both() -> Simulation:
     tight = [replace(joint, lower=joint.lower / 2, upper=joint.upper / 2) for joint in ROBOT.joints]
     cable = ("its cable",)
     arm = replace(ROBOT, name="twin", title="Twin", not_modelled=cable, joints=tuple(tight))
-    moves = tuple(replace(move, task="T_ROB2") for move in only.moves)
+    moves = moves_of(replace(move, task="T_ROB2") for move in only.moves)
     return replace(run(), robots=(only, replace(only, task="T_ROB2", robot=arm, moves=moves)))
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 from simulation_program import arm
@@ -50,7 +50,7 @@ class Ran:
         kind = EventKind.TEXT
         return [(round(e.time_s, 5), e.message) for e in self.run.events if e.kind is kind]
 
-    def moves(self, task: str) -> tuple[ExecutedMove, ...]:
+    def moves(self, task: str) -> Sequence[ExecutedMove]:
         """The moves of a task."""
         (moves,) = [robot.moves for robot in self.run.robots if robot.task == task]
         return moves

@@ -64,7 +64,7 @@ def test_where_the_speed_is_reached_only_ramps_are_lost(run: Simulation) -> None
 
 
 def test_time_is_added_up_by_comment(run: Simulation) -> None:
-    regions = by_comment((*run.moves, *run.waits))
+    regions = by_comment(run.moves, run.waits)
     said = {one.line: (one.comment, one.steps) for one in regions}
     # The first move stands before any comment, and a suppression heads nothing.
     assert said[7] == ("Long line at a speed that is reached", 2)

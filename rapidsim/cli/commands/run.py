@@ -136,7 +136,8 @@ def run(
     if outputs.lacks_recorder and not terminal.quiet:
         echo(f"note: no recording, which needs rerun: {pip_install('rerun')}", err=True)
     job = job_of(replace(request, may_be_empty=replay is not None))
-    ready = loaded(job, in_runs=not (breaks or profile or replay))
+    # Assertions may name any data.
+    ready = loaded(job, in_runs=not (breaks or profile or replay), keeps_data=bool(asserted))
     job = ready.job
     try:
         made = prepared(ready)

@@ -9,7 +9,7 @@ import numpy as np
 from rapidsim.controller.journal.journal import Instant
 from rapidsim.controller.moves.executed_move import CornerKind, ExecutedMove
 from rapidsim.frames.rotation_vectors import vector_from_rotation
-from rapidsim.frames.transform import Transform
+from rapidsim.frames.transform import Array, Transform
 from rapidsim.language.data import ConfData, ToolData, WobjData
 from rapidsim.language.moves import Move, Place
 from rapidsim.motion.geometry.segments import Segment
@@ -53,6 +53,16 @@ class QueuedMove:
     was_stopped: bool = False
     """Whether StopMove or a search stopped the robot during the move."""
 
+    @property
+    def joints(self) -> Array:
+        """Joints (n,) [rad] at the programmed end."""
+        return self.segment.end.joints
+
+    @property
+    def external(self) -> Array:
+        """External axes (e,) [m or rad] at the programmed end."""
+        return self.segment.end.external
+
     def is_over(self, before_s: float) -> bool:
         """Whether the executed part of the move ended before a time [s]."""
         times = (self.started.time, self.ended_s or self.started.time)
@@ -77,9 +87,6 @@ def executed_move(
     index: int, task: str, queued: QueuedMove, start_s: float, end_s: float
 ) -> ExecutedMove:
     """The executed move, from `start_s` to `end_s` of the arm."""
-    if queued.command_start_s is not None:
-        # The arm may have been at rest here for a while.
-        start_s = queued.command_start_s
     failed = queued.corner is CornerKind.STOP_CORNER_PATH_FAILURE
     return ExecutedMove(
         index=index,
@@ -89,14 +96,14 @@ def executed_move(
         corner=queued.corner,
         zone_m=queued.zone_m,
         start_s=start_s,
-        end_s=max(start_s, end_s),
+        end_s=end_s,
         length_m=queued.length_m,
         base_from_tcp=queued.base_from_tcp,
         tcp_from_flange=queued.tcp_from_flange,
-        joints=queued.segment.end.joints,
+        joints=queued.joints,
         conf=queued.conf,
         corner_reason=_TOO_LATE if failed else queued.corner_reason,
-        external=queued.segment.end.external,
+        external=queued.external,
         grip_load_kg=queued.grip_load_kg,
     )
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field, replace
-from functools import cached_property
+from functools import cached_property, partial
 
 import numpy as np
 
@@ -12,6 +12,7 @@ from rapidsim.controller.journal.stop_reasons import MoveImpossible
 from rapidsim.controller.moves.arrival import Arrivals
 from rapidsim.controller.moves.configuration_choice import rounded, stored_or_nearest
 from rapidsim.controller.moves.executed_move import CornerKind
+from rapidsim.controller.moves.expected_lines import ExpectedLines
 from rapidsim.controller.moves.first_start import start_above
 from rapidsim.controller.moves.move_data import (
     asked_circle_mode,
@@ -143,8 +144,16 @@ class Resolver:
     ) -> QueuedMove:
         """Return the move of an earlier cycle if nothing has changed; see `resolve`."""
         is_made_anew = is_first or lead is not None or self.may_have_carrier(move.wobj)
-        if is_made_anew or not place.is_lasting:
+        if is_made_anew:
             return self._resolved(move, place, start, settings, lead, is_first=is_first)
+        if not place.is_lasting:
+            place_move = partial(self._placement_of, place=place, lead=None)
+            row = self.expected.take(move, place, start, settings, place_move)
+            if row is not None:
+                return row
+            queued = self._resolved(move, place, start, settings)
+            self.expected.learn(move, settings, queued.segment)
+            return queued
         aim = None if start.aim is None else start.aim.tobytes()
         stands = (start.joints.tobytes(), start.external.tobytes(), aim)
         key = (id(place), move, settings, *stands)
@@ -298,6 +307,11 @@ class Resolver:
             return arrivals.at_target(base_from_flange, _TARGET, stored, near.joints, place).joints
         working = self._arrivals.working(base_from_flange, _TARGET)
         return stored_or_nearest(working, stored, near.joints).joints
+
+    @cached_property
+    def expected(self) -> ExpectedLines:
+        """Its announced moves."""
+        return ExpectedLines(self.robot)
 
     @cached_property
     def _arrivals(self) -> Arrivals:

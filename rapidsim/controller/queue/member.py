@@ -8,8 +8,7 @@ from typing import Protocol
 
 import numpy as np
 
-from rapidsim.controller.moves.executed_move import ExecutedMove
-from rapidsim.controller.moves.queued_move import executed_move
+from rapidsim.controller.moves.executed_moves import ExecutedMoves, MoveColumns
 from rapidsim.controller.queue.move_log import MoveLog
 from rapidsim.controller.queue.plan_cache import PlanCache
 from rapidsim.frames.rotation_vectors import vector_from_rotation
@@ -130,21 +129,26 @@ class Member:
             else ""
         )
 
-    def executed(self, task: str) -> tuple[ExecutedMove, ...]:
+    def executed(self, task: str) -> ExecutedMoves:
         """All planned moves, with the times at which the arm makes them, lag included."""
         done = [
             (index, queued)
             for index, queued in self.moves.numbered()
             if queued.ended_s is not None and queued.started.time is not None
         ]
-        both = np.array([[queued.start_place_m, queued.end_place_m] for _, queued in done])
+        index, queue = (
+            np.array([one for one, _ in done], dtype=np.int64),
+            tuple(one for _, one in done),
+        )
+        both = np.array([[queued.start_place_m, queued.end_place_m] for queued in queue])
         # Most moves begin where the previous one ends.
         places, row = np.unique(both.reshape(-1), return_inverse=True)
-        seen_s = self.trajectory.time_at_place(places)[row].reshape(-1, 2)
-        return tuple(
-            executed_move(index, task, queued, float(start_s), float(end_s))
-            for (index, queued), (start_s, end_s) in zip(done, seen_s, strict=True)
-        )
+        start_s, end_s = self.trajectory.time_at_place(places)[row].reshape(-1, 2).T
+        # The arm may have been at rest for a while where a block begins.
+        at_rest = np.array([queued.command_start_s for queued in queue], dtype=np.float64)
+        start_s = np.where(np.isnan(at_rest), start_s, at_rest)
+        end_s = np.maximum(start_s, end_s)
+        return ExecutedMoves(MoveColumns(index, start_s, end_s, (task,) * len(queue), queue))
 
 
 def member_at_rest(robot: Robot, model: MotionModel, start: Waypoint) -> Member:

@@ -375,7 +375,8 @@ class Calls:
         values, options, _ = self._library_arguments(signature, given, at, taken)
         asked = at.name(f"_{signature.concern}")
         made = at.call(function, [asked, *values], options)
-        return at.name(rows), _reported(at.attribute(ROW, "place"), made, at)
+        moves = at.call(at.attribute(rows, "moves"), [at.name("_motion")])
+        return moves, _reported(at.attribute(ROW, "place"), made, at)
 
     def _library_arguments(
         self,

@@ -11,6 +11,7 @@ from itertools import repeat
 from typing import TYPE_CHECKING, Any
 
 from rapidsim.diagnostics import Source, Span
+from rapidsim.language.controller import Motion
 from rapidsim.language.data import ConfData, ExtJoint, Orient, Pos, RobTarget
 from rapidsim.language.moves import Place
 from rapidsim.syntax import tree
@@ -91,14 +92,14 @@ class BulkExecution:
     parameter: str
     """Folded name of the parameter that takes the target."""
 
-    def __iter__(self) -> Iterator[BulkMove]:
-        """Yield the moves in order."""
+    def moves(self, motion: Motion) -> Iterator[BulkMove]:
+        """Yield the moves in order; their targets are announced."""
         source, routine, texts = self.like.span.source, self.like.routine, self.like.arguments
-        for row, target in zip(self._rows(), targets_of(self.run.numbers), strict=True):
-            arguments = _Texts(texts, self.parameter, source, row.target)
-            place = Place(Span(source, row.start, row.end), routine, arguments, is_lasting=False)
-            yield BulkMove(row, place, target)
-
-    def _rows(self) -> Iterator[tree.BulkRow]:
         for first in range(0, len(self.run), _AT_ONCE):
-            yield from self.run.rows(slice(first, first + _AT_ONCE))
+            rows = slice(first, first + _AT_ONCE)
+            targets = tuple(targets_of(self.run.numbers[rows]))
+            motion.expect(targets)
+            for row, target in zip(self.run.rows(rows), targets, strict=True):
+                arguments = _Texts(texts, self.parameter, source, row.target)
+                span = Span(source, row.start, row.end)
+                yield BulkMove(row, Place(span, routine, arguments, is_lasting=False), target)

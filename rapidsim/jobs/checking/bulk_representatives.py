@@ -19,7 +19,7 @@ from rapidsim.jobs.inputs.text_identifiers import words_of
 from rapidsim.library.traits import Trait
 from rapidsim.syntax import tree
 
-_BY_NAME = Trait.READ_BY_NAME | Trait.WRITE_BY_NAME
+_BY_NAME = Trait.READ_BY_NAME | Trait.WRITE_BY_NAME | Trait.LOAD
 
 
 def findings_of_all(
@@ -76,7 +76,7 @@ def _declared(module: tree.Module) -> frozenset[str]:
 
 
 def _searches_by_name(files: Sequence[tree.File]) -> bool:
-    """Whether an instruction finds data by names that are built at run time."""
+    """Whether an instruction finds data by names that only a run knows, or loads a text of them."""
     nodes = descendants(*(module for file in files for module in file.modules))
     calls = (node for node in nodes if isinstance(node, tree.Call | tree.FunctionCall))
     return any(_BY_NAME & does(installed_symbol(call.name.key)) for call in calls)

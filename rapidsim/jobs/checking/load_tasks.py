@@ -63,7 +63,11 @@ class LoadedTasks:
 
 
 def load_tasks(
-    tasks: Sequence[TaskFiles], cell: CellNames = NO_CELL, *, in_runs: bool = False
+    tasks: Sequence[TaskFiles],
+    cell: CellNames = NO_CELL,
+    *,
+    in_runs: bool = False,
+    keeps_data: bool = True,
 ) -> LoadedTasks:
     """Parse and check the modules of tasks; errors in them are findings, never raised.
 
@@ -71,8 +75,12 @@ def load_tasks(
         tasks: Tasks with their files.
         cell: Names that the configuration declares in addition to the modules.
         in_runs: Keep long sequences of moves of one shape as columns, executed as one statement.
+        keeps_data: Keep the targets that such moves name as data of the program.
     """
-    loaded = [_in_runs(task, cell) if in_runs else load_task(task, cell) for task in tasks]
+    loaded = [
+        _in_runs(task, cell, keeps_data=keeps_data) if in_runs else load_task(task, cell)
+        for task in tasks
+    ]
     programs = [one.program for one in loaded if one.program is not None]
     conflicts = shared_findings(programs) if len(tasks) > 1 else ()
     diagnostics = (*(found for one in loaded for found in one.diagnostics), *conflicts)
@@ -85,17 +93,19 @@ def load_tasks(
     return LoadedTasks(named, diagnostics)
 
 
-def _in_runs(task: TaskFiles, cell: CellNames) -> LoadedProgram:
+def _in_runs(task: TaskFiles, cell: CellNames, *, keeps_data: bool) -> LoadedProgram:
     """Load a task with long sequences of moves as columns, if the moves have no findings."""
-    loaded = load_task(task, cell, runs_of=MOST_STATEMENTS, keeps_data=True)
+    loaded = load_task(task, cell, runs_of=MOST_STATEMENTS, keeps_data=keeps_data)
     modules = [module for file in loaded.files for module in file.modules]
     runs = [run for module in modules for run in module.runs]
     if not runs:
         return loaded
     found = findings_of_all(loaded.files, loaded.diagnostics, cell)
-    if found is None or not _can_execute(loaded.program, modules, runs):
-        return load_task(task, cell)
-    return replace(loaded, diagnostics=found)
+    if found is not None and _can_execute(loaded.program, modules, runs):
+        return replace(loaded, diagnostics=found)
+    if any(run.names for run in runs):
+        return _in_runs(task, cell, keeps_data=True)
+    return load_task(task, cell)
 
 
 def _can_execute(
@@ -106,7 +116,7 @@ def _can_execute(
         return True
     # A program without some of its statements is not the program that was read.
     is_whole = list(map(id, program.modules)) == list(map(id, modules))
-    return is_whole and all(_is_move(run, program) for run in runs)
+    return is_whole and all(bool(run.names) or _is_move(run, program) for run in runs)
 
 
 def _is_move(run: tree.BulkStatements, program: Program) -> bool:

@@ -122,14 +122,18 @@ class PreparedRun:
     """Whether an arm is a guess; then targets out of its reach are warnings."""
 
 
-def run_job(job: Job) -> FinishedRun:
+def run_job(job: Job, *, keeps_data: bool = False) -> FinishedRun:
     """Load, prepare and run.
+
+    Args:
+        job: The job.
+        keeps_data: See `loaded`.
 
     Raises:
         ProgramRejectedError: If checking finds an error.
         InputError: If an input of the run is missing.
     """
-    return executed(prepared(loaded(job, in_runs=True)))
+    return executed(prepared(loaded(job, in_runs=True, keeps_data=keeps_data)))
 
 
 def _is_followed() -> bool:
@@ -141,19 +145,21 @@ def _is_followed() -> bool:
     return monitoring is not None and any(map(monitoring.get_tool, range(6)))
 
 
-def loaded(job: Job, *, in_runs: bool = False) -> LoadedJob:
+def loaded(job: Job, *, in_runs: bool = False, keeps_data: bool = True) -> LoadedJob:
     """Load the robot, parse and check the files; errors in them are findings, never raised.
 
     Args:
         job: The job.
         in_runs: Execute long sequences of moves of one shape as one loop, unless a tracer observes
             Python: it would not see each move on its own line.
+        keeps_data: Keep all data of the program, also the targets that such moves name.
     """
     job.require_arms()
     if job.is_arm_named:
         # An unknown name is reported before any error of the program.
         job.arm()
-    found = load_tasks(job.tasks, job.cell, in_runs=in_runs and not _is_followed())
+    in_runs = in_runs and not _is_followed()
+    found = load_tasks(job.tasks, job.cell, in_runs=in_runs, keeps_data=keeps_data)
     try:
         job = with_best_arm(job, [task.program for task in found.tasks])
     except RunNotFollowedError:

@@ -8,7 +8,7 @@ from rapidsim.frames.transform import Array, Transform
 from rapidsim.motion.configurations.scalar_inverse import joints_on_branch
 from rapidsim.motion.robot.robot import Robot
 
-_SHORT_TURN = 0.3
+SHORT_TURN = 0.3
 """Rotation [rad] of a joint too small to be a whole turn with a small difference."""
 
 
@@ -32,6 +32,6 @@ def end_of_short_line(
     if joints is None:
         return None
     for limits, joint, start in zip(robot.joints, joints, before, strict=True):
-        if abs(joint - start) > _SHORT_TURN or not limits.lower <= joint <= limits.upper:
+        if abs(joint - start) > SHORT_TURN or not limits.lower <= joint <= limits.upper:
             return None
     return np.array(joints)

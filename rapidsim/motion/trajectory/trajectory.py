@@ -32,7 +32,7 @@ from rapidsim.motion.trajectory.corrected_section import CorrectedSection
 from rapidsim.motion.trajectory.filter_windows import Windows
 from rapidsim.motion.trajectory.guided_section import GuidedSection
 from rapidsim.motion.trajectory.ramps import RampedCommand
-from rapidsim.motion.trajectory.zero_crossings import first_crossing
+from rapidsim.motion.trajectory.zero_crossings import first_crossing_by_slope
 from rapidsim.values import value_class
 
 SAMPLE_STEP_S = 0.012
@@ -401,9 +401,12 @@ class Trajectory:
 
     def place_at(self, times: Array) -> Array:
         """Return the visible position S (k,) [m] of the run at times (k,) [s]."""
-        row, way, _ = self._visible(np.atleast_1d(np.asarray(times, dtype=np.float64)))
-        place: Array = self.command.starts(row)[1] + way
-        return place
+        return self._progress(np.atleast_1d(np.asarray(times, dtype=np.float64)))[0]
+
+    def _progress(self, times: Array) -> tuple[Array, Array]:
+        """Return the visible position S (k,) [m] and speed dS/dt (k,) [m/s] at times (k,) [s]."""
+        row, way, speed = self._visible(times)
+        return self.command.starts(row)[1] + way, speed
 
     def fastest_rate(self, start_s: float) -> float:
         """Return the upper bound of the TCP travel per change of S from a time [s] on."""
@@ -441,13 +444,8 @@ class Trajectory:
         times = self.command.time_at(places)
         if self._windows.filter_time > 0.0:
             # The mean over a window passes a position after the command has.
-            wanted = places - ROUNDING_M
-            times = first_crossing(
-                lambda now, row: self.place_at(now) - wanted[row],
-                times,
-                times + self._windows.widest,
-                within=_NEAR_S,
-            )
+            wanted, late = places - ROUNDING_M, times + self._windows.widest
+            times = first_crossing_by_slope(self._progress, wanted, times, late, within=_NEAR_S)
         return times
 
     def _visible(self, times: Array) -> tuple[Index, Array, Array]:

@@ -197,7 +197,7 @@ def _speed_axis_end(run: RecordedRobot) -> float:
     may exceed the plot.
     """
     reached = 1000.0 * speed_path.top_speed(run)
-    programmed = max((move.move.speed.v_tcp for move in run.robot_run.moves), default=0.0)
+    programmed = float(run.robot_run.moves.columns.speed_mm_s.max(initial=0.0))
     return 1.3 * max(reached, min(programmed, 2.0 * reached), 1.0)
 
 

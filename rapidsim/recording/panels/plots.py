@@ -12,7 +12,7 @@ from types import MappingProxyType
 import numpy as np
 import rerun as rr
 
-from rapidsim.controller.moves.executed_move import ExecutedMove
+from rapidsim.controller.moves.executed_moves import MoveColumns
 from rapidsim.frames.transform import Array
 from rapidsim.recording import palette
 from rapidsim.recording.samples import RecordedRobot
@@ -148,7 +148,7 @@ def _log_speed(stream: rr.RecordingStream, run: RecordedRobot) -> None:
     )
     if not run.robot_run.moves:
         return
-    times, speeds = _programmed_steps(run.robot_run.moves, run.sampled.end_s)
+    times, speeds = _programmed_steps(run.robot_run.moves.columns, run.sampled.end_s)
     stream.send_columns(
         run.entity(PROGRAMMED_SPEED),
         indexes=run.clock.columns(times),
@@ -156,17 +156,18 @@ def _log_speed(stream: rr.RecordingStream, run: RecordedRobot) -> None:
     )
 
 
-def _programmed_steps(moves: tuple[ExecutedMove, ...], end_s: float) -> tuple[Array, Array]:
+def _programmed_steps(moves: MoveColumns, end_s: float) -> tuple[Array, Array]:
     """Return instants [s] and the programmed speed [mm/s] from each on; 0 without motion.
 
     Recordings count nanoseconds: for two speeds within one of them the viewer would draw the mean.
     """
     steps: dict[float, float] = {0.0: 0.0}
-    for move in moves:
-        if move.end_s <= move.start_s:
+    times_s = zip(moves.start_s.tolist(), moves.end_s.tolist(), moves.moves, strict=True)
+    for begins_s, ends_s, move in times_s:
+        if ends_s <= begins_s:
             continue  # To where the arm was; the move after it may have begun already.
-        steps[round(move.end_s, 9)] = 0.0
-        steps[round(move.start_s, 9)] = move.move.speed.v_tcp
+        steps[round(ends_s, 9)] = 0.0
+        steps[round(begins_s, 9)] = move.speed.v_tcp
     steps.setdefault(round(end_s, 9), 0.0)
     times = sorted(steps)
     return np.array(times), np.array([steps[time] for time in times])

@@ -12,7 +12,7 @@ from collections.abc import Iterable, Iterator, Sequence
 import rerun as rr
 
 from rapidsim.controller.journal.events import ExecutedLine
-from rapidsim.controller.moves.executed_move import ExecutedMove
+from rapidsim.controller.moves.executed_moves import ExecutedMoves
 from rapidsim.diagnostics import Source
 from rapidsim.recording.samples import RecordedRobot
 from rapidsim.values import value_class
@@ -49,7 +49,8 @@ def log_listing(stream: rr.RecordingStream, run: RecordedRobot) -> tuple[str, ..
         Remarks on content that the viewer cannot show correctly, one per line.
     """
     lines, moves = run.robot_run.lines, run.robot_run.moves
-    instants = sorted({0.0, *(line.time_s for line in lines), *(move.start_s for move in moves)})
+    begun_s = moves.columns.start_s.tolist()
+    instants = sorted({0.0, *(line.time_s for line in lines), *begun_s})
     remarks: tuple[str, ...] = ()
     if len(instants) > MOST_TEXTS:
         apart_s = run.sampled.end_s / MOST_TEXTS
@@ -78,11 +79,11 @@ def _thin_out(instants: Sequence[float], spacing_s: float) -> Iterator[float]:
 
 
 def _pointers(
-    instants: Sequence[float], lines: Sequence[ExecutedLine], moves: Sequence[ExecutedMove]
+    instants: Sequence[float], lines: Sequence[ExecutedLine], moves: ExecutedMoves
 ) -> Iterator[_Pointers]:
     """Yield both pointers at instants [s], in order."""
     line_times = [line.time_s for line in lines]
-    move_times = [move.start_s for move in moves]
+    move_times = moves.columns.start_s.tolist()
     for time_s in instants:
         # Before the first statement the pointer waits at it.
         line = lines[max(bisect.bisect_right(line_times, time_s) - 1, 0)] if lines else None

@@ -8,7 +8,7 @@ import numpy as np
 import rerun as rr
 
 from rapidsim.controller.journal.events import ErrorTally
-from rapidsim.controller.moves.executed_move import ExecutedMove
+from rapidsim.controller.moves.executed_moves import ExecutedMoves
 from rapidsim.language.error_answers import ErrorOutcome, shown_name
 from rapidsim.recording import palette
 from rapidsim.recording.samples import RecordedRobot
@@ -143,25 +143,29 @@ def _log_lane(
 
 
 def _move_states(
-    moves: Sequence[ExecutedMove],
+    moves: ExecutedMoves,
 ) -> tuple[_States, dict[str, palette.Colour]]:
     """Return the move lane: moves, and rest in between."""
-    names = [f"{move.move.instruction} {target_name(move)}".rstrip() for move in moves]
+    columns = moves.columns
+    programmed = columns.moves
+    both = zip(programmed, columns.places, strict=True)
+    names = [f"{move.instruction} {target_name(place)}".rstrip() for move, place in both]
     if len(set(names)) > _MOST_STATES:
-        names = [move.move.instruction for move in moves]
+        names = [move.instruction for move in programmed]
     colours: dict[str, palette.Colour] = {_STANDSTILL: palette.STANDSTILL}
     states: _States = []
     now_s = 0.0
-    for name, move in zip(names, moves, strict=True):
+    starts_s, ends_s = columns.start_s.tolist(), columns.end_s.tolist()
+    for name, move, start_s, end_s in zip(names, programmed, starts_s, ends_s, strict=True):
         if name not in colours:
             # Every other move is a shade darker: neighbours of one kind would merge.
             colour = palette.of_move(move)
             colours[name] = colour if len(colours) % 2 else palette.darker(colour)
-        if move.start_s > now_s + _SHORTEST_STANDSTILL_S:
+        if start_s > now_s + _SHORTEST_STANDSTILL_S:
             states.append((now_s, _STANDSTILL))
-        if move.end_s > move.start_s:
-            states.append((move.start_s, name))
-            now_s = move.end_s
+        if end_s > start_s:
+            states.append((start_s, name))
+            now_s = end_s
     states.append((now_s, _STANDSTILL))
     return states, colours
 

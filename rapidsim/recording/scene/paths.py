@@ -12,9 +12,8 @@ import numpy as np
 import numpy.typing as npt
 import rerun as rr
 
-from rapidsim.controller.moves.executed_move import ExecutedMove
 from rapidsim.frames.transform import Array, Transform
-from rapidsim.language.moves import Interpolation
+from rapidsim.language.moves import Interpolation, Move
 from rapidsim.motion.configurations.targets import base_from_tcp
 from rapidsim.recording import palette
 from rapidsim.recording.samples import RecordedRobot
@@ -66,8 +65,8 @@ def programmed(run: RecordedRobot) -> Iterator[Array]:
     joints = run.samples.joints[0]
     # A pose of the arm: the TCP, and the flange relative to it.
     tcp, tcp_from_flange = kinematics.forward(joints), Transform.identity()
-    for move in run.robot_run.moves:
-        if not _has_static_frames(run, move):
+    for move in run.robot_run.moves.columns.rows:
+        if not _has_static_frames(run, move.move):
             joints, tcp, tcp_from_flange = move.joints, move.base_from_tcp, move.tcp_from_flange
             continue
         start = tcp.translation
@@ -84,20 +83,20 @@ def programmed(run: RecordedRobot) -> Iterator[Array]:
             case Interpolation.LINE:
                 yield np.stack([start, end])
             case Interpolation.CIRCLE:
-                yield arc_through(start, _circle_point(run, move), end, _CURVE_POINTS)
+                yield arc_through(start, _circle_point(run, move.move), end, _CURVE_POINTS)
         joints, tcp, tcp_from_flange = move.joints, move.base_from_tcp, move.tcp_from_flange
 
 
-def _has_static_frames(run: RecordedRobot, move: ExecutedMove) -> bool:
+def _has_static_frames(run: RecordedRobot, move: Move) -> bool:
     """Whether a move is in a static frame: tool held, work object and robot base static."""
-    tool, wobj = move.move.tool, move.move.wobj
-    return tool.robhold and not wobj.robhold and wobj.ufprog and not run.on_track
+    wobj = move.wobj
+    return move.tool.robhold and not wobj.robhold and wobj.ufprog and not run.on_track
 
 
-def _circle_point(run: RecordedRobot, move: ExecutedMove) -> Array:
-    assert move.move.circle_point is not None
+def _circle_point(run: RecordedRobot, move: Move) -> Array:
+    assert move.circle_point is not None
     base_from_world = run.robot_run.world_from_base.inverse()
-    via = base_from_tcp(move.move.circle_point, move.move.wobj, base_from_world)
+    via = base_from_tcp(move.circle_point, move.wobj, base_from_world)
     return via.translation
 
 
@@ -114,13 +113,13 @@ def _joined(curves: Iterator[Array]) -> list[Array]:
 
 def _travelled(run: RecordedRobot) -> dict[str, tuple[palette.Colour, list[Array]]]:
     """Return pieces of the travelled path by kind, in the order of first occurrence."""
-    moves = run.robot_run.moves
-    kinds = dict.fromkeys(move.move.instruction for move in moves)
+    moves = run.robot_run.moves.columns.moves
+    kinds = dict.fromkeys(move.instruction for move in moves)
     number_of = {name: number for number, name in enumerate((_CORNER, *kinds))}
-    colour_of = {move.move.instruction: palette.of_move(move) for move in moves}
+    colour_of = {move.instruction: palette.of_move(move) for move in moves}
     colour_of[_CORNER] = palette.CORNER
 
-    of_move = np.array([number_of[move.move.instruction] for move in moves])
+    of_move = np.array([number_of[move.instruction] for move in moves])
     of_sample = np.where(run.sampled.in_corner, number_of[_CORNER], of_move[_move_index(run)])
     names = tuple(number_of)
     points = run.places

@@ -8,9 +8,9 @@ from dataclasses import replace
 import numpy as np
 import rerun as rr
 
-from rapidsim.controller.moves.executed_move import ExecutedMove
 from rapidsim.diagnostics import Severity
 from rapidsim.frames.transform import Array, Transform
+from rapidsim.language.moves import Place
 from rapidsim.recording import palette
 from rapidsim.recording.samples import RecordedRobot
 from rapidsim.simulation.results.time_shares import end_point
@@ -53,15 +53,18 @@ def targets_of(run: RecordedRobot) -> tuple[Target, ...]:
         if finding.span is not None and finding.severity is not Severity.NOTE
     }
     found: dict[tuple[object, ...], Target] = {}
-    ends = [run.still_from_end(move) for move in run.robot_run.moves]
+    columns = run.robot_run.moves.columns
+    ends = [run.still_from_end(row) for row in columns.rows]
     translations = np.array([end.translation for end in ends]).reshape(-1, 3)
     places = np.round(translations / _SAME).astype(np.int64).tolist()
-    for move, still_from_tcp, place in zip(run.robot_run.moves, ends, places, strict=True):
+    programmed = zip(columns.moves, columns.places, strict=True)
+    for (move, of_text), still_from_tcp, place in zip(programmed, ends, places, strict=True):
+        span = of_text.span
         target = Target(
-            target_name(move),
+            target_name(of_text),
             still_from_tcp,
-            move.move.interpolation.leads_tcp,
-            (move.place.span.file, move.place.span.line) in warned,
+            move.interpolation.leads_tcp,
+            bool(warned) and (span.file, span.line) in warned,
         )
         key = (target.name, *place)
         known = found.get(key)
@@ -91,9 +94,9 @@ def points_of(targets: Sequence[Target]) -> Array:
     return np.array([target.still_from_tcp.translation for target in targets])
 
 
-def target_name(move: ExecutedMove) -> str:
+def target_name(place: Place) -> str:
     """Return the end of a move as a short text."""
-    text = end_point(move)
+    text = end_point(place)
     return text if len(text) <= 24 else text[:23] + "…"
 
 

@@ -29,8 +29,14 @@ _SIDES = 24
 def log_tool(stream: rr.RecordingStream, run: RecordedRobot, axis_m: float) -> None:
     """Log the TCP with axes of a length [m] and the tool's body."""
     flange = run.frame(FLANGE)
+    moves = run.robot_run.moves
+    programmed = moves.columns.moves
     tools = changes(
-        run.robot_run.moves,
+        (
+            moves[at]
+            for at, move in enumerate(programmed)
+            if at == 0 or move.tool is not programmed[at - 1].tool
+        ),
         lambda move: move.move.tool.tframe,
         # A stationary tool is fixed in the world, and the arm moves the work to it.
         lambda move: flange if move.move.tool.robhold else WORLD,

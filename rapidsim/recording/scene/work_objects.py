@@ -11,6 +11,7 @@ import numpy as np
 import rerun as rr
 
 from rapidsim.controller.moves.executed_move import ExecutedMove
+from rapidsim.controller.moves.executed_moves import ExecutedMoves
 from rapidsim.frames.transform import Array
 from rapidsim.language.data import IDENTITY_POSE, WobjData
 from rapidsim.motion.configurations.targets import base_from_object
@@ -40,7 +41,7 @@ def log_work_objects(
         _log_frames(stream, run, name, moves, axis_m)
         _log_plate(stream, run, name, moves)
     moved = dict.fromkeys(
-        move.move.wobj.ufmec for move in run.robot_run.moves if not move.move.wobj.ufprog
+        move.wobj.ufmec for move in run.robot_run.moves.columns.moves if not move.wobj.ufprog
     )
     return tuple(f"work objects moved by `{unit}` are shown with it at zero" for unit in moved)
 
@@ -95,17 +96,18 @@ def _entity(run: RecordedRobot, name: str, part: str) -> str:
     return run.entity(rr.new_entity_path([ENTITY, name, part]).removeprefix("/"))
 
 
-def _by_name(moves: Sequence[ExecutedMove]) -> dict[str, list[ExecutedMove]]:
+def _by_name(moves: ExecutedMoves) -> dict[str, list[ExecutedMove]]:
     """Return the moves that use a work object other than the world, by its name."""
     found: dict[str, list[ExecutedMove]] = {}
-    for move in moves:
-        wobj = move.move.wobj
+    both = zip(moves.columns.moves, moves.columns.places, strict=True)
+    for at, (move, place) in enumerate(both):
+        wobj = move.wobj
         if wobj.uframe == IDENTITY_POSE and wobj.oframe == IDENTITY_POSE:
             continue
-        name = " ".join(move.place.arguments.get("wobj", "wobj").split())
+        name = " ".join(place.arguments.get("wobj", "wobj").split())
         if name in (WORLD, BASE, FLANGE, TCP):
             name = f"{name} (wobj)"
-        found.setdefault(name, []).append(move)
+        found.setdefault(name, []).append(moves[at])
     return found
 
 

@@ -138,7 +138,7 @@ def _poses(
 
 
 def _move(move: ExecutedMove) -> list[object]:
-    name = end_point(move)
+    name = end_point(move.place)
     return [
         round(move.start_s, 4),
         round(move.end_s, 4),
@@ -160,7 +160,7 @@ def _targets(robot_run: RobotRun, in_world: bool) -> list[list[object]]:
     for move in robot_run.moves:
         shown = shown_end(robot_run, move, in_world=in_world).translation
         place = tuple(round(_MM * float(x), 1) + 0.0 for x in shown)
-        visits.setdefault(place, Counter())[end_point(move)[:_NAME_LETTERS]] += 1
+        visits.setdefault(place, Counter())[end_point(move.place)[:_NAME_LETTERS]] += 1
         if move.move.interpolation.leads_tcp:
             on_lines.add(place)
         if len(visits) > MOST_NAMES:

@@ -139,7 +139,7 @@ def cycle_time(simulation: Simulation) -> str:
     )
     body = (
         _slow_sections(simulation)
-        + _regions(by_comment(steps))
+        + _regions(by_comment(simulation.moves, simulation.waits))
         + "<h3>By routine</h3>"
         + table(
             ("routine", ">moves and waits", ">path [mm]", ">time [s]", ""),

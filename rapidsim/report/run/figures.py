@@ -20,7 +20,7 @@ from rapidsim.simulation.results.acceleration_sensitivity import extra_time_s
 from rapidsim.simulation.results.active_limits import limits_of_moves
 from rapidsim.simulation.results.sampling import MOST_EXACT
 from rapidsim.simulation.results.simulation import End, RobotRun, Simulation
-from rapidsim.simulation.results.time_shares import Share, by_line
+from rapidsim.simulation.results.time_shares import Share, by_line, slowest_lines
 from rapidsim.values import value_class
 
 _SAMPLE_S = 0.012
@@ -114,7 +114,7 @@ class AccelerationSensitivity:
 def figures(simulation: Simulation) -> Figures:
     """Compute the figures of a run."""
     moves = simulation.moves
-    corners = Counter(move.corner for move in moves)
+    corners = Counter(moves.columns.corners)
     waits, with_robot = by_line(simulation.waits), {one.task for one in simulation.robots}
     found = [
         _along_the_path(robot, offset, simulation.motion_end_s)
@@ -124,9 +124,9 @@ def figures(simulation: Simulation) -> Figures:
     margins, singularities = [margin for margin, _, _ in found], [place for _, place, _ in found]
     off_path = [off for _, _, off in found if off is not None]
     return Figures(
-        moves_by_instruction=tuple(Counter(m.move.instruction for m in moves).items()),
+        moves_by_instruction=tuple(Counter(one.instruction for one in moves.columns.moves).items()),
         moves_by_corner=tuple((kind, corners[kind]) for kind in CornerKind if kind in corners),
-        slowest=by_line(moves)[:_SLOWEST],
+        slowest=slowest_lines(moves, _SLOWEST),
         slowest_waits=waits[:_SLOWEST],
         slowest_robot_waits=tuple(one for one in waits if one.task in with_robot)[:_SLOWEST],
         slowest_other_waits=tuple(one for one in waits if one.task not in with_robot)[:_SLOWEST],
@@ -170,7 +170,7 @@ def _along_the_path(
     parts = np.array_split(times, len(times) // _AT_ONCE + 1)
     looks = [_looked_at(run, part) for part in parts]
     under_way, left, smallest, off_m = map(np.concatenate, zip(*looks, strict=True))
-    indices = np.array([move.index for move in run.moves])
+    indices = run.moves.columns.index
 
     def move_at(row: int) -> ExecutedMove:
         """Number of the active move among the moves of all robots.
@@ -219,8 +219,8 @@ def _sample_times(run: RobotRun, end: float) -> Array:
 
     The ends of moves are among them, unless there are more than instants.
     """
-    start = run.moves[0].start_s
+    moves = run.moves.columns
+    start = float(moves.start_s[0])
     count = min(_MOST_SAMPLES, int((end - start) / _SAMPLE_S) + 2)
-    ended = run.moves if len(run.moves) <= _MOST_SAMPLES else ()
-    ends = np.array([move.end_s for move in ended])
+    ends = moves.end_s if len(moves.end_s) <= _MOST_SAMPLES else np.zeros(0)
     return np.unique(np.concatenate([np.linspace(start, end, count), ends.clip(start, end)]))

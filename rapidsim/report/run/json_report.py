@@ -270,7 +270,7 @@ def run_report(
         max_off_path=_off_path(figures.off_path),
         slowest_waits=tuple(SlowWait(*_share(share)) for share in figures.slowest_waits),
         stretches=tuple(map(slow_section_record, slow_sections(simulation))),
-        regions=tuple(map(region_record, by_comment((*simulation.moves, *simulation.waits)))),
+        regions=tuple(map(region_record, by_comment(simulation.moves, simulation.waits))),
         unsimulated=tuple(
             UnsimulatedRoutine(one.name, one.count, one.treated_as)
             for one in simulation.unsimulated

@@ -27,7 +27,7 @@ def long_program_text(simulation: Simulation) -> RenderableType | None:
     if len(simulation.moves) < MANY_MOVES:
         return None
     stretches = slow_sections(simulation)
-    regions = by_comment((*simulation.moves, *simulation.waits))
+    regions = by_comment(simulation.moves, simulation.waits)
     parts: list[RenderableType] = []
     if stretches:
         table = _table("below speed", ">time", ">lost", ">mm/s", ">of", "limited by")

@@ -6,7 +6,6 @@ is still moving.
 
 from __future__ import annotations
 
-from bisect import bisect_right
 from collections.abc import Iterator, Sequence
 from collections.abc import Set as AbstractSet
 
@@ -17,6 +16,7 @@ from rapidsim.controller.moves.executed_move import CornerKind, ExecutedMove
 from rapidsim.diagnostics import Diagnostic, Related
 from rapidsim.findings.runs import OutputBeforeTarget
 from rapidsim.language.moves import Place
+from rapidsim.simulation.results.sampling import evaluate
 from rapidsim.simulation.results.simulation import RobotRun
 from rapidsim.values import value_class
 
@@ -69,28 +69,45 @@ def early_output_findings(
 def _early(
     events: Sequence[Event], robot_run: RobotRun, traps: AbstractSet[str]
 ) -> Iterator[_Early]:
-    starts = [move.start_s for move in robot_run.moves]
-    by_moves = {(move.place.span.file, move.place.span.start) for move in robot_run.moves}
+    before = list(_on_the_way(events, robot_run, traps))
+    if not before:
+        return
+    times = np.array([event.time_s for event, _, _ in before])
+    here = evaluate(robot_run.trajectory, times).base_from_tcp.translation
+    ends = np.array([move.base_from_tcp.translation for _, _, move in before])
+    distances = (1000.0 * np.linalg.norm(here - ends, axis=1)).tolist()
     set_at: set[tuple[float, str]] = set()
-    for event in events:
-        place = event.place
-        if event.kind is not EventKind.SIGNAL or event.task != robot_run.task or place is None:
-            continue
+    for (event, place, move), distance in zip(before, distances, strict=True):
+        if distance > _NEAR_MM and (event.time_s, event.message) not in set_at:
+            set_at.add((event.time_s, event.message))
+            yield _Early(event, place, move, distance)
+
+
+def _on_the_way(
+    events: Sequence[Event], robot_run: RobotRun, traps: AbstractSet[str]
+) -> Iterator[tuple[Event, Place, ExecutedMove]]:
+    """Yield changes of signals during a fly-by move, the last one before the statement."""
+    set_by_task = [
+        (event, event.place)
+        for event in events
+        if event.kind is EventKind.SIGNAL and event.task == robot_run.task and event.place
+    ]
+    if not set_by_task:
+        return
+    columns = robot_run.moves.columns
+    by_moves = {(place.span.file, place.span.start) for place in columns.places}
+    for event, place in set_by_task:
         if place.routine.lower() in traps or (place.span.file, place.span.start) in by_moves:
             # Outputs of the move itself are set at its target.
             continue
-        number = bisect_right(starts, event.time_s + _AT_ONCE_S) - 1
-        while number >= 0 and robot_run.moves[number].index >= event.moves_given:
+        latest_s = event.time_s + _AT_ONCE_S
+        number = int(np.searchsorted(columns.start_s, latest_s, side="right")) - 1
+        while number >= 0 and columns.index[number] >= event.moves_given:
             # It starts at this very instant, but its instruction follows the output.
             number -= 1
         if number < 0:
             continue
         move = robot_run.moves[number]
         is_there = event.time_s >= move.end_s - _AT_ONCE_S
-        if is_there or move.corner is CornerKind.STOP or len(move.external):
-            continue
-        here = robot_run.sample(event.time_s).base_from_tcp.translation[0]
-        distance = float(np.linalg.norm(here - move.base_from_tcp.translation)) * 1000.0
-        if distance > _NEAR_MM and (event.time_s, event.message) not in set_at:
-            set_at.add((event.time_s, event.message))
-            yield _Early(event, place, move, distance)
+        if not (is_there or move.corner is CornerKind.STOP or len(move.external)):
+            yield event, place, move

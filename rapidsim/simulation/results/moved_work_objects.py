@@ -27,6 +27,8 @@ def moved_object_findings(
         robots: The robots, in the order in which a controller numbers them.
         labels: Names of the robots in the station; None without a name.
     """
+    if len(robots) == 1:
+        return ()
     numbers = {robot_name(number).lower(): number - 1 for number in range(1, len(robots) + 1)}
     numbers |= {label.lower(): number for number, label in enumerate(labels) if label}
     found: dict[tuple[str, int], Diagnostic] = {}

@@ -3,8 +3,12 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
+from itertools import chain
 
+from rapidsim.controller.journal.events import Wait
+from rapidsim.controller.moves.executed_moves import ExecutedMoves
+from rapidsim.diagnostics import Source
 from rapidsim.simulation.results.time_shares import Step
 from rapidsim.values import value_class
 
@@ -30,16 +34,16 @@ class Region:
     seconds: float
 
 
-def by_comment(steps: Iterable[Step]) -> tuple[Region, ...]:
+def by_comment(moves: ExecutedMoves, waits: Sequence[Wait]) -> tuple[Region, ...]:
     """Time after each comment of a routine, the longest first; empty without comments."""
-    heads: dict[str, list[tuple[int, str] | None]] = {}
     found: dict[tuple[str, str, int], Region] = {}
-    for step in steps:
+    places = (*moves.columns.places, *(wait.place for wait in waits))
+    sources = {one.file: one.source for one in (place.span for place in reversed(places))}
+    heads = {file: _heads(source) for file, source in sources.items()}
+    if not any(any(of_file) for of_file in heads.values()):
+        return ()
+    for step in chain[Step](moves, waits):
         span = step.place.span
-        if span.file not in heads:
-            source = span.source
-            lines = [source.line(k + 1) for k in range(len(source.line_starts))]
-            heads[span.file] = _heads(lines)
         head = heads[span.file][span.line - 1] if span.line <= len(heads[span.file]) else None
         if head is None:
             continue
@@ -54,8 +58,9 @@ def by_comment(steps: Iterable[Step]) -> tuple[Region, ...]:
     return tuple(sorted(found.values(), key=lambda one: -one.seconds))
 
 
-def _heads(lines: Sequence[str]) -> list[tuple[int, str] | None]:
+def _heads(source: Source) -> list[tuple[int, str] | None]:
     """Return, for each line, the first comment line of the block that heads it, and its words."""
+    lines = (source.line(number + 1) for number in range(len(source.line_starts)))
     found: list[tuple[int, str] | None] = []
     head: tuple[int, str] | None = None
     in_block = False

@@ -9,7 +9,8 @@ from __future__ import annotations
 import numpy as np
 import numpy.typing as npt
 
-from rapidsim.controller.moves.executed_move import CornerKind, ExecutedMove
+from rapidsim.controller.moves.executed_move import CornerKind
+from rapidsim.controller.moves.executed_moves import MoveColumns
 from rapidsim.frames.transform import Array, Transform
 from rapidsim.motion.timing.axis_limits import Limits, limits_of
 from rapidsim.motion.trajectory.trajectory import Samples, Trajectory
@@ -99,8 +100,10 @@ def sampled(
         step_s: Time [s] between samples; starts and ends of moves get additional samples.
         most_moves: With more moves than this, starts and ends get none. None for no limit.
     """
-    edged = robot_run.moves if most_moves is None or len(robot_run.moves) <= most_moves else ()
-    coarse = len(robot_run.moves) > MOST_EXACT
+    moves = robot_run.moves.columns
+    is_edged = most_moves is None or len(moves.index) <= most_moves
+    edged = np.concatenate([moves.start_s, moves.end_s]) if is_edged else np.zeros(0)
+    coarse = len(moves.index) > MOST_EXACT
     end_s = simulation.motion_end_s
     samples = motion_samples(robot_run.trajectory, edged, end_s, step_s, coarse=coarse)
     speed, acceleration = rates_between(samples)
@@ -111,21 +114,20 @@ def sampled(
         samples=samples,
         joint_speed=speed,
         joint_acceleration=acceleration,
-        in_corner=in_corner(samples, robot_run.moves),
+        in_corner=in_corner(samples, moves),
     )
 
 
 def motion_samples(
     trajectory: Trajectory,
-    moves: tuple[ExecutedMove, ...],
+    edges: Array,
     end_s: float,
     dt: float,
     *,
     coarse: bool = False,
 ) -> Samples:
-    """Sample every `dt` [s] from 0 to `end_s` [s], and at starts and ends of moves."""
+    """Sample every `dt` [s] from 0 to `end_s` [s], and at starts and ends of moves, `edges` [s]."""
     grid = np.arange(0.0, end_s, dt)
-    edges = _edges(moves)
     times = np.concatenate([grid, np.clip(np.array([0.0, *edges, end_s]), 0.0, end_s)])
     # Viewers count nanoseconds: closer instants would coincide.
     samples = evaluate(trajectory, np.unique(np.round(times, 9)), coarse=coarse)
@@ -180,23 +182,19 @@ def rates_between(samples: Samples) -> tuple[Array, Array]:
     return speed, acceleration
 
 
-def in_corner(samples: Samples, moves: tuple[ExecutedMove, ...]) -> npt.NDArray[np.bool_]:
+def in_corner(samples: Samples, moves: MoveColumns) -> npt.NDArray[np.bool_]:
     """Return which samples (k,) are in the zone at either end of their move."""
-    if not moves:
+    if not len(moves.index):
         return np.zeros(len(samples.times), dtype=np.bool_)
-    ends = np.array([move.base_from_tcp.translation for move in moves])
-    zones = np.array([move.zone_m if move.corner is CornerKind.FLY_BY else 0.0 for move in moves])
+    flies_by = np.array([corner is CornerKind.FLY_BY for corner in moves.corners])
+    ends, zones = moves.end_m, np.where(flies_by, moves.zone_m, 0.0)
     points = samples.base_from_tcp.translation
-    index = np.clip(samples.move, 0, len(moves) - 1)
+    index = np.clip(samples.move, 0, len(ends) - 1)
     before = np.maximum(index - 1, 0)
     at_end = np.linalg.norm(points - ends[index], axis=1) < zones[index]
     at_start = np.linalg.norm(points - ends[before], axis=1) < zones[before]
     inside: npt.NDArray[np.bool_] = at_end | (at_start & (index > 0))
     return inside
-
-
-def _edges(moves: tuple[ExecutedMove, ...]) -> Array:
-    return np.array([t for move in moves for t in (move.start_s, move.end_s)], dtype=np.float64)
 
 
 def _worth_keeping(samples: Samples, edges: Array) -> npt.NDArray[np.bool_]:

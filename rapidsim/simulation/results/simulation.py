@@ -5,9 +5,8 @@ It is immutable and a function of program, robot and inputs alone. Times are vir
 
 from __future__ import annotations
 
-from bisect import bisect_left
 from collections.abc import Mapping, Sequence
-from dataclasses import field, replace
+from dataclasses import field
 from enum import StrEnum
 from itertools import accumulate
 from pathlib import Path
@@ -18,6 +17,7 @@ import numpy as np
 from rapidsim.controller.journal.events import ErrorTally, Event, ExecutedLine, Unsimulated, Wait
 from rapidsim.controller.journal.failed_moves import FailedMove
 from rapidsim.controller.moves.executed_move import ExecutedMove
+from rapidsim.controller.moves.executed_moves import ExecutedMoves, moves_of_all
 from rapidsim.diagnostics import Diagnostic
 from rapidsim.files import InputError, did_you_mean
 from rapidsim.frames.transform import Array, Transform
@@ -61,7 +61,7 @@ class RobotRun:
     robot: Robot
     world_from_base: Transform
     """Pose of the base, with all external axes at zero."""
-    moves: tuple[ExecutedMove, ...]
+    moves: ExecutedMoves
     """Moves; their indices, and those of the samples, count the moves of this robot."""
     lines: tuple[ExecutedLine, ...]
     trajectory: Trajectory
@@ -76,8 +76,7 @@ class RobotRun:
 
     def move(self, index: int) -> ExecutedMove | None:
         """Return the move of an index; None if it was not made, as after a limit."""
-        at = bisect_left(self.moves, index, key=lambda made: made.index)
-        return self.moves[at] if at < len(self.moves) and self.moves[at].index == index else None
+        return _move(self.moves, index)
 
     def sample(self, time_s: float | Array) -> Samples:
         """Samples of the arm at one instant (k = 1) or several [s]: joints (k, n), TCP, speed."""
@@ -176,7 +175,7 @@ class Simulation:
         raise InputError(f"no robot of a task `{task}` is in the run", cure)
 
     @property
-    def moves(self) -> tuple[ExecutedMove, ...]:
+    def moves(self) -> ExecutedMoves:
         """Moves of all robots, robot after robot, numbered consecutively.
 
         The numbers of `robots[k]` begin at `move_offsets[k]`.
@@ -237,25 +236,23 @@ class Simulation:
 
     def move(self, index: int) -> ExecutedMove | None:
         """Return the move of an index; None if it was not made, as after a limit."""
-        at = bisect_left(self.moves, index, key=lambda made: made.index)
-        return self.moves[at] if at < len(self.moves) and self.moves[at].index == index else None
+        return _move(self.moves, index)
 
     def sample(self, time_s: float | Array) -> Samples:
         """The only robot at one instant or several [s]."""
         return self.only.sample(time_s)
 
 
-def numbered_moves(robots: Sequence[RobotRun]) -> tuple[ExecutedMove, ...]:
+def numbered_moves(robots: Sequence[RobotRun]) -> ExecutedMoves:
     """Moves of several robots, robot after robot, numbered consecutively."""
-    if len(robots) == 1:
-        return robots[0].moves
-    return tuple(
-        replace(move, index=offset + move.index)
-        for one, offset in zip(robots, _move_offsets(robots), strict=True)
-        for move in one.moves
-    )
+    return moves_of_all([one.moves for one in robots], _move_offsets(robots))
+
+
+def _move(moves: ExecutedMoves, index: int) -> ExecutedMove | None:
+    at = int(np.searchsorted(moves.columns.index, index))
+    return moves[at] if at < len(moves) and moves.columns.index[at] == index else None
 
 
 def _move_offsets(robots: Sequence[RobotRun]) -> tuple[int, ...]:
-    counts = [one.moves[-1].index + 1 if one.moves else 0 for one in robots]
+    counts = [int(one.moves.columns.index[-1]) + 1 if one.moves else 0 for one in robots]
     return (0, *accumulate(counts[:-1]))

@@ -76,7 +76,7 @@ def _of_robot(simulation: Simulation, robot_run: RobotRun, offset: int) -> Itera
     if len(times) < 3:
         return
     move = np.clip(samples.move, 0, len(robot_run.moves) - 1)
-    programmed = np.array([each.move.speed.v_tcp for each in robot_run.moves])[move] / 1000.0
+    programmed = robot_run.moves.columns.speed_mm_s[move] / 1000.0
     share = samples.tcp_speed / np.maximum(programmed, 1e-9)
     moving = np.abs(run.joint_speed).max(axis=1) > 0.0
     below = moving & (share < _REACHED)

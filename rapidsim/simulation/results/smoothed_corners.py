@@ -11,6 +11,7 @@ from collections.abc import Iterator
 import numpy as np
 
 from rapidsim.controller.moves.executed_move import CornerKind, ExecutedMove
+from rapidsim.controller.moves.executed_moves import ExecutedMoves
 from rapidsim.diagnostics import Diagnostic
 from rapidsim.findings.smoothing import CornerTooFast
 from rapidsim.motion.model import MotionModel
@@ -35,7 +36,7 @@ class _Corner:
 
 
 def corner_findings(
-    moves: tuple[ExecutedMove, ...], trajectory: Trajectory, limits: Limits, model: MotionModel
+    moves: ExecutedMoves, trajectory: Trajectory, limits: Limits, model: MotionModel
 ) -> tuple[Diagnostic, ...]:
     """Return one note on the worst such corner of a run; empty if there is none.
 

@@ -11,14 +11,18 @@ from collections.abc import Callable, Iterable
 from pathlib import Path
 from typing import TypeAlias
 
+import numpy as np
+
 from rapidsim.controller.journal.events import Wait
 from rapidsim.controller.moves.executed_move import ExecutedMove
+from rapidsim.controller.moves.executed_moves import ExecutedMoves
 from rapidsim.language.moves import Place
 from rapidsim.values import value_class
 
 Step: TypeAlias = ExecutedMove | Wait
 """A move or a wait: what takes time."""
 
+_ROUNDING_S = 1e-6
 _FIRST_WORD = re.compile(r"\w*")
 
 
@@ -59,6 +63,23 @@ def by_line(steps: Iterable[Step]) -> tuple[Share, ...]:
     return _added_up(steps, lambda step: (step.task, step.place.span.file, step.place.span.start))
 
 
+def slowest_lines(moves: ExecutedMoves, most: int) -> tuple[Share, ...]:
+    """Return the first of `by_line`, at most so many, without adding up the others exactly."""
+    columns = moves.columns
+    numbers: dict[tuple[object, ...], int] = {}
+    spans = (place.span for place in columns.places)
+    keys = zip(columns.tasks, spans, strict=True)
+    line = np.array(
+        [numbers.setdefault((task, span.file, span.start), len(numbers)) for task, span in keys],
+        dtype=np.int64,
+    )
+    seconds = np.bincount(line, columns.end_s - columns.start_s)
+    # Rounding depends on the order of the sum; a tie is won by the line that comes first.
+    least = np.partition(seconds, -most)[-most] if len(seconds) > most else 0.0
+    rows = np.flatnonzero(seconds[line] >= least - _ROUNDING_S)
+    return by_line(moves[at] for at in rows.tolist())[:most]
+
+
 def instruction_of(step: Step) -> str:
     """The instruction, as the program spells it."""
     if isinstance(step, ExecutedMove):
@@ -67,18 +88,18 @@ def instruction_of(step: Step) -> str:
     return found[0] if found else ""
 
 
-def argument(move: ExecutedMove, *names: str) -> str | None:
-    """Source text of the first argument of a move among names; None if it has none of them."""
-    given = (move.place.arguments.get(name) for name in names)
+def argument(place: Place, *names: str) -> str | None:
+    """Source text of the first argument of a call among names; None if it has none of them."""
+    given = (place.arguments.get(name) for name in names)
     return next((text for text in given if text is not None), None)
 
 
-def end_point(move: ExecutedMove) -> str:
-    """Name of a move's target in the program; its position if it is written in place.
+def end_point(place: Place) -> str:
+    """Name in the program of the target of the move at a place; its position if written there.
 
     The position is the first aggregate of the target; of a joint target, the axes.
     """
-    text = "".join((argument(move, "topoint", "tojointpos") or "*").split())
+    text = "".join((argument(place, "topoint", "tojointpos") or "*").split())
     return text[1:].partition("]")[0] + "]" if text.startswith("[[") else text
 
 
@@ -98,7 +119,7 @@ def _share(steps: list[Step]) -> Share:
         task=first.task,
         place=first.place,
         instruction=instruction_of(first),
-        goal=end_point(first) if isinstance(first, ExecutedMove) else first.awaited,
+        goal=end_point(first.place) if isinstance(first, ExecutedMove) else first.awaited,
         is_wait=not moves,
         seconds=sum(step.end_s - step.start_s for step in steps),
         length_mm=1000.0 * sum(move.length_m for move in moves),

@@ -1,0 +1,199 @@
+"""Lines to targets that are known before their statements execute, resolved as rows of arrays.
+
+A generated program announces the targets of thousands of moves that differ in nothing else. Their
+ends are computed together, from the position of the arm on. A move takes its row only if it is the
+announced one, with the parameters of the move before it, from the waypoint at which the row starts.
+Rows end before the first move of which more has to be decided: one that turns a joint far, passes a
+limit or a branch, or differs from its stored configuration. That one is resolved by itself.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import fields
+from functools import partial
+from operator import attrgetter
+
+import numpy as np
+import numpy.typing as npt
+
+from rapidsim.controller.journal.journal import Instant
+from rapidsim.controller.moves.executed_move import CornerKind
+from rapidsim.controller.moves.move_data import wrist_asked_in_joints
+from rapidsim.controller.moves.queued_move import QueuedMove
+from rapidsim.frames.quaternion import norm
+from rapidsim.frames.transform import Array, Transform, matrix_from_quaternion
+from rapidsim.language.data import NO_EXTERNAL_AXES, ConfData, RobTarget
+from rapidsim.language.moves import (
+    Interpolation,
+    MotionSettings,
+    Move,
+    Place,
+    SensorInfluence,
+)
+from rapidsim.motion.configurations.confdata import confdata_of, has_branches
+from rapidsim.motion.configurations.short_lines import SHORT_TURN
+from rapidsim.motion.configurations.targets import MM, TOLERATED_NORM_ERROR, Placement
+from rapidsim.motion.geometry.segments import Segment, Waypoint
+from rapidsim.motion.robot.robot import Robot
+from rapidsim.values import value_class
+
+_FIRST_ROWS = 64
+_MOST_ROWS = 1000
+_FEWEST_ROWS = 8
+"""Fewer rows are not worth their arrays."""
+_MOST_FAILURES = 16
+"""Number of times that there are fewer, after which the other targets are resolved one by one."""
+_NAME = attrgetter("name")
+_parameters_of = attrgetter(*(name for name in map(_NAME, fields(Move)) if name != "to"))
+_SHARED = tuple(name for name in map(_NAME, fields(Segment)) if name not in ("start", "end"))
+
+
+@value_class(frozen=True, slots=True, eq=False)
+class _Rows:
+    """Ends of lines (k,), of which each starts where the one before it ends."""
+
+    joints: Array
+    """Shape (k, n) [rad]."""
+    ends: Transform
+    """Shape (k,): curve_from_tcp."""
+    starts: Transform
+    """Shape (k,): the same at the start of each line, from the joints there."""
+    confdata: npt.NDArray[np.int64]
+    """Shape (k, 4)."""
+
+    def __len__(self) -> int:
+        return len(self.joints)
+
+
+class ExpectedLines:
+    """The announced targets of a task, and the rows of those that come next."""
+
+    def __init__(self, robot: Robot) -> None:
+        """Expect nothing."""
+        self._robot = robot
+        self._targets: Sequence[RobTarget] = ()
+        self._next = 0
+        """Number of the first target that has not been moved to."""
+        self._known: tuple[object, ...] = ()
+        """Parameters of the last announced move that was resolved by itself, and its settings."""
+        self._segment_of: Callable[..., Segment] = Segment
+        """Makes the segment of such a move from its ends."""
+        self._branch: int | None = None
+        """Branch of the arm in such a move; None before the first."""
+        self._rows: _Rows | None = None
+        self._first = 0
+        """Number of the target of the first row."""
+        self._from: Waypoint | None = None
+        """Start of the next row."""
+        self._most = _FIRST_ROWS
+        self._failures = 0
+
+    def expect(self, targets: Sequence[RobTarget]) -> None:
+        """Announce the targets of the next moves."""
+        self._targets, self._next, self._failures = targets, 0, 0
+        self._rows = None
+
+    def take(
+        self,
+        move: Move,
+        place: Place,
+        start: Waypoint,
+        settings: MotionSettings,
+        placed_of: Callable[[Move], Placement],
+    ) -> QueuedMove | None:
+        """Return an announced move, resolved; None if it has to be resolved by itself."""
+        while self._next < len(self._targets) and self._targets[self._next] is not move.to:
+            self._next += 1
+        if self._next == len(self._targets):
+            return None
+        if (*_parameters_of(move), settings) != self._known:
+            return None
+        at = self._next - self._first
+        if self._rows is None or at >= len(self._rows) or self._from is not start:
+            self._rows = self._rows_from(move, start, settings, placed_of(move))
+            self._first, at = self._next, 0
+            if self._rows is None:
+                self._failures += 1
+                if self._failures == _MOST_FAILURES:
+                    self._next = len(self._targets)
+                return None
+        self._next += 1
+        return self._queued(self._rows, at, move, place, start, settings)
+
+    def learn(self, move: Move, settings: MotionSettings, segment: Segment) -> None:
+        """Note an announced move that was resolved by itself, with its segment."""
+        if self._next < len(self._targets) and self._targets[self._next] is move.to:
+            self._next += 1
+            self._known = (*_parameters_of(move), settings)
+            shared = {name: getattr(segment, name) for name in _SHARED}
+            self._segment_of, self._branch = partial(Segment, **shared), segment.branch
+            self._rows = None
+
+    def _queued(
+        self,
+        rows: _Rows,
+        at: int,
+        move: Move,
+        place: Place,
+        start: Waypoint,
+        settings: MotionSettings,
+    ) -> QueuedMove:
+        end = Waypoint(rows.joints[at], rows.ends[at], start.external)
+        begin = Waypoint(start.joints, rows.starts[at], start.external)
+        segment = self._segment_of(start=begin, end=end)
+        self._from = end
+        return QueuedMove(
+            move,
+            place,
+            segment,
+            ConfData(*map(float, rows.confdata[at].tolist())),
+            Instant(),
+            CornerKind.STOP if segment.zone is None else CornerKind.FLY_BY,
+            end.base_from_tcp,
+            segment.tcp_from_flange,
+            settings.grip_load_kg,
+        )
+
+    def _rows_from(
+        self, move: Move, start: Waypoint, settings: MotionSettings, placed: Placement
+    ) -> _Rows | None:
+        """Return the next rows; None if there are too few, or these are no plain lines."""
+        kinematics = self._robot.kinematics
+        branch = int(kinematics.branch_of(start.joints))
+        if (
+            move.interpolation is not Interpolation.LINE
+            or move.sensed is not SensorInfluence.NEVER
+            or wrist_asked_in_joints(move, settings)
+            or placed.carrier is not None
+            or self._robot.external
+            or branch != self._branch
+        ):
+            return None
+        targets = self._targets[self._next : self._next + self._most]
+        ends = _poses(targets, placed)
+        joints = kinematics.inverse_on_branch(ends @ placed.tcp_from_flange, branch, start.joints)
+        before = np.concatenate([start.joints[None], joints.joints[:-1]])
+        confdata = confdata_of(kinematics, joints.joints)
+        plain = joints.exists & (np.abs(joints.joints - before) <= SHORT_TURN).all(axis=1)
+        plain &= (self._robot.lower <= joints.joints).all(axis=1)
+        plain &= (joints.joints <= self._robot.upper).all(axis=1)
+        plain &= confdata[:, 3] == branch
+        plain &= [one.extax == NO_EXTERNAL_AXES for one in targets]
+        plain &= [abs(norm(one.rot) - 1.0) <= TOLERATED_NORM_ERROR for one in targets]
+        if settings.conf_l and has_branches(kinematics):
+            plain &= (confdata == [one.robconf for one in targets]).all(axis=1)
+        count = len(targets) if plain.all() else int(plain.argmin())
+        if count < min(_FEWEST_ROWS, len(self._targets) - self._next):
+            self._most = _FIRST_ROWS
+            return None
+        self._most = min(2 * count, _MOST_ROWS)
+        starts = kinematics.forward(before[:count]) @ placed.tcp_from_flange.inverse()
+        return _Rows(joints.joints[:count], ends[:count], starts, confdata[:count])
+
+
+def _poses(targets: Sequence[RobTarget], placed: Placement) -> Transform:
+    """Return the TCP poses (k,) of targets on a curve."""
+    rotation = matrix_from_quaternion(np.array([target.rot for target in targets]))
+    translation = MM * np.array([target.trans for target in targets])
+    return placed.curve_from_object @ Transform(rotation, translation)
