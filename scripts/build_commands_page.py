@@ -31,7 +31,33 @@ def page() -> str:
         command = commands.get_command(context, name)
         assert command is not None
         parts += _section(command, name, context, "##")
+    parts += _index(context)
     return "\n".join(parts) + "\n"
+
+
+def _index(context: click.Context) -> Iterator[str]:
+    """All options in the order of the alphabet, with the commands that have them."""
+    holders: dict[str, list[str]] = {}
+    for name, option in options_by_command(commands, context):
+        holders.setdefault(option.opts[0], []).append(name)
+    yield "\n## All options\n"
+    yield "| option | commands |\n|---|---|"
+    for option_name, names in sorted(holders.items()):
+        yield f"| `{option_name}` | {', '.join(f'`{name}`' for name in names)} |"
+
+
+def options_by_command(
+    command: click.Command, context: click.Context, name: str = ""
+) -> Iterator[tuple[str, click.Option]]:
+    """The options of a command and of those within it, but for those of every command."""
+    for param in command.params:
+        if isinstance(param, click.Option) and param.name not in EVERYWHERE and not param.hidden:
+            yield name, param
+    if isinstance(command, click.Group):
+        for child_name in command.list_commands(context):
+            child = command.get_command(context, child_name)
+            assert child is not None
+            yield from options_by_command(child, context, f"{name} {child_name}".strip())
 
 
 def _section(command: click.Command, name: str, parent: click.Context, level: str) -> Iterator[str]:

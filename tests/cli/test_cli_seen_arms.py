@@ -170,7 +170,7 @@ def test_a_warm_start_saves_steps(monkeypatch: pytest.MonkeyPatch) -> None:
 
 def test_points_for_an_arm_are_reached_by_it() -> None:
     table = rapidsim(
-        "points", "--robot", "kr10", "--shell", "400,1000", "--count", "6", "--euler", "zyx"
+        "points", "--robot", "kr10", "--shell", "400,1000", "--count", "6", "--convention", "zyx"
     )
     assert table.code == 0
     rows = list(csv.DictReader(table.out.splitlines()))

@@ -177,7 +177,7 @@ class FollowRequest:
         help="Compare numerical solvers on the path, started from the previous pose and from 0.",
     )
     trace: str | None = option(
-        "--trace", metavar="FILE.csv|.parquet|.json", help="Write joints and TCP over time."
+        "--trace", metavar="FILE", help="Write joints and TCP over time: .csv .parquet .json"
     )
     record: str | None = option(
         "--record", metavar="FILE.rrd", help="Write a recording for the rerun viewer."

@@ -66,6 +66,7 @@ class PointsOptions:
     )
     base: str = shared(base_option)
     convention: str | None = option(
+        "--convention",
         "--euler",
         type=click.Choice(poses.CONVENTIONS),
         help="Orientations as Euler angles e1,e2,e3 of this convention, not as quaternions.",

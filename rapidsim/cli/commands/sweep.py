@@ -45,9 +45,11 @@ class SweepOptions:
     no_run: bool = option("--no-run", is_flag=True, help="Only check reach; run nothing.")
     max_time: float = option(
         "--max-time",
+        metavar="SECONDS",
         type=POSITIVE,
         default=3600.0,
-        help="End each run after this much virtual time [s].",
+        show_default=True,
+        help="End each run after this much simulated time.",
     )
     processes: int = option(
         "-j",
