@@ -31,7 +31,13 @@ PROGRAM = """MODULE Tried
     ENDPROC
 ENDMODULE
 """
-STATION = '[signals]\ndiGo = { type = "di" }\naoFlow = { type = "ao" }\n'
+STATION = """[robot]
+model = "irb1600-6-1.2"
+base = { position = [100, 0, 20] }
+[signals]
+diGo = { type = "di" }
+aoFlow = { type = "ao" }
+"""
 Asks = Callable[..., Reply]
 
 
