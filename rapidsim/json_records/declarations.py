@@ -208,6 +208,12 @@ def item_type(type_: Any) -> Any:
     return get_args(type_)[0] if get_origin(type_) in _ARRAYS else None
 
 
+def item_count(type_: Any) -> int | None:
+    """Return the number of items of an array; None if it may vary."""
+    items = get_args(type_)
+    return None if get_origin(type_) is not tuple or Ellipsis in items else len(items)
+
+
 def value_type(type_: Any) -> Any:
     """Return the type of the values of an object without declared keys; None for other types."""
     return get_args(type_)[1] if get_origin(type_) is Mapping else None

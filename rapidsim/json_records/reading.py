@@ -14,6 +14,7 @@ from rapidsim.json_records.declarations import (
     RecordField,
     alternatives,
     is_record,
+    item_count,
     item_type,
     marks_of,
     record_fields,
@@ -81,7 +82,7 @@ class RecordReader:
     def _single(self, declared: Any) -> Conversion:
         type_, _ = marks_of(declared)
         if (item := item_type(type_)) is not None:
-            return _array(self.conversion(item))
+            return _array(self.conversion(item), item_count(type_))
         if (of_values := value_type(type_)) is not None:
             return _object(self.conversion(of_values))
         if type_ is float:
@@ -169,10 +170,12 @@ def _mapping(value: object, path: Path) -> Mapping[str, object]:
     return value
 
 
-def _array(convert: Conversion) -> Conversion:
+def _array(convert: Conversion, count: int | None) -> Conversion:
     def read_array(values: Any, path: Path) -> tuple[Any, ...]:
         if not isinstance(values, list | tuple):
             raise WrongValueError(path, "is not a list")
+        if count not in (None, len(values)):
+            raise WrongValueError(path, f"has {len(values)} items in place of {count}")
         return tuple(convert(one, (path, number)) for number, one in enumerate(values))
 
     return read_array

@@ -101,7 +101,7 @@ class Subscriptions:
                 look = self._reader_of(resource)
                 is_data = resource.startswith((_SYMBOLS, _SYMBOLS_2)) and self.is_paced
                 period_s = PERIODS_S[2 if priority is None else priority] if is_data else 0.0
-                made.values.append(_Watched(resource, look, look(), period_s, now_s))
+                made.values.append(_Watched(resource, look, look(), period_s, now_s + period_s))
         self._groups[group] = made
         for name, resource in heard:
             self._signals.setdefault(name, []).append((group, resource))

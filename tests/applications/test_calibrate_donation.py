@@ -95,6 +95,19 @@ def test_settings_that_moves_do_not_show_are_refused(tmp_path: Path) -> None:
     assert not (tmp_path / "log.json").exists()
 
 
+def test_a_place_that_cannot_be_written_is_refused_before_the_fit(tmp_path: Path) -> None:
+    (tmp_path / "here.json").write_text("{}")
+    asked = ("calibrate", "no_such_log.csv", "--robot", "irb1600", "--donate")
+    for name, why in (
+        ("here.json", "is here already"),
+        ("nowhere/log.json", "nowhere is not a folder"),
+        ("log.txt", "must end in .json"),
+    ):
+        told = call(*asked, name, cwd=tmp_path)
+        assert (told.code, why in told.err) == (2, True), told.err
+    assert (tmp_path / "here.json").read_text() == "{}"
+
+
 MOVE = {
     "path": "joint",
     "wait_s": 0.0,
@@ -116,7 +129,7 @@ MOVE = {
     ("times", "move", "message"),
     [
         ([0.0, 1.0], {"path": "joint; Break"}, "move 1 has impossible values"),
-        ([0.0, 1.0], {"zone": [1.0]}, "move 1 has impossible values"),
+        ([0.0, 1.0], {"zone": [1.0]}, "has 1 items in place of 3"),
         ([0.0, 1.0], {"speed": [1e9, 1.0]}, "move 1 has impossible values"),
         ([0.0, 1.0], {"joints_deg": [0.0]}, "not all rows have 6 axes"),
         ([1.0, 0.0], {}, "the times do not ascend"),

@@ -17,7 +17,8 @@ from recording_read import SIMULATION, failed_run, rows, texts
 from rerun.chunk import RrdReader
 
 import rapidsim
-from rapidsim.recording.layout.write import record
+from rapidsim.motion.model import MODELS
+from rapidsim.recording.layout.write import acceleration_time_of, record
 
 UNLISTED = ("/robot/fixed", "/robot/base", f"/robot/{SIMULATION.only.robot.name}")
 """Fixed frames of the description, and the root of its shapes."""
@@ -26,6 +27,12 @@ UNLISTED = ("/robot/fixed", "/robot/base", f"/robot/{SIMULATION.only.robot.name}
 @pytest.fixture(scope="module")
 def recording(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return record(SIMULATION, tmp_path_factory.mktemp("recording") / "frame.rrd")
+
+
+def test_the_acceleration_time_is_shown_where_it_limits_an_axis() -> None:
+    assert acceleration_time_of(SIMULATION) is None
+    first = replace(SIMULATION, model=MODELS["1"])
+    assert acceleration_time_of(first) == MODELS["1"].acceleration_time
 
 
 def test_everything_to_be_seen_is_there(recording: Path) -> None:

@@ -155,6 +155,18 @@ BODIES: dict[str, dict[str, Any]] = {
             }
         ],
     },
+    "rw/motionsystem/mechunits/ROB_1/cartesian": {
+        "_links": _links("rw/motionsystem/mechunits/ROB_1/cartesian/"),
+        "status": DONE,
+        "state": [
+            {
+                "_type": "ms-mechunit-cartesian",
+                "_title": "ROB_1",
+                **dict.fromkeys(("x", "y", "z", "q1", "q2", "q3", "q4"), TEXT),
+                **dict.fromkeys(("cf1", "cf4", "cf6", "cfx"), TEXT),
+            }
+        ],
+    },
     "rw/iosystem/signals?start=0&limit=2": {
         "_links": {
             **_links("rw/iosystem/", "signals?start=0&amp;limit=2"),
@@ -347,6 +359,7 @@ async def _pages(served: Served) -> None:
         ("rw/rapid/tasks/T_ROB1/motion", "rap-motion", {"mechunit"}),
         ("rw/rapid/tasks/T_ROB1/motion?resource=jointtarget", "ms-jointtarget", {"rax_1"}),
         ("rw/rapid/tasks/T_ROB1/motion?resource=robtarget", "ms-robtargets", {"q1"}),
+        ("rw/motionsystem/mechunits/ROB_1/cartesian", "ms-mechunit-cartesian", {"q1", "j1", "jx"}),
         ("ctrl/identity", "ctrl-identity-info", {"ctrl-name", "ctrl-type", "ctrl-level"}),
     ):
         (item,) = await served.get(path)

@@ -101,12 +101,15 @@ def calibrate(options: CalibrateOptions) -> int:
     from rapidsim.applications.calibrate.donation import write_donation
     from rapidsim.applications.calibrate.fit import calibrate as fit
     from rapidsim.applications.calibrate.report import as_json, as_text
+    from rapidsim.cli.options.new_files import new_file
     from rapidsim.cli.options.robot_choice import open_robot
 
     if options.programs is not None:
         return _write_programs(options.programs, options.logs)
     if not options.logs:
         raise InputError("no log is named", "--programs ARM writes programs to log")
+    if options.donate is not None:
+        _require_absent(new_file(str(options.donate), (DONATED,)))
     donated = [log for log in options.logs if log.suffix.lower() == DONATED]
     logs = {
         log: options.program or _program_of_log(log) for log in options.logs if log not in donated
@@ -142,12 +145,16 @@ def _write_programs(name: str, logs: Sequence[Path]) -> int:
         raise InputError("--programs takes no LOG", "it writes programs to log")
     texts = standard_programs(open_robot(name))
     for file in texts:
-        if Path(file).exists():
-            raise InputError(f"{file} is here already", "it is never overwritten")
+        _require_absent(Path(file))
     for file, text in texts.items():
         Path(file).write_text(text, encoding="ascii", newline="\r\n")
     echo(f"Written: {', '.join(texts)}. Log each, then `rapidsim calibrate LOG...`.")
     return ExitCode.CLEAN
+
+
+def _require_absent(file: Path) -> None:
+    if file.exists():
+        raise InputError(f"{file} is here already", "it is never overwritten")
 
 
 def _donations(files: Sequence[Path]) -> dict[Path, Donation]:

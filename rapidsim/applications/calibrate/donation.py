@@ -49,7 +49,7 @@ _QUATERNION_NORM = 1e-3
 _MOST = 1e6
 """Largest magnitude of a number in a file."""
 
-Frame = tuple[float, ...]
+Frame = tuple[float, float, float, float, float, float, float]
 """Position [mm] and quaternion, scalar first: seven numbers."""
 
 
@@ -69,9 +69,9 @@ class DonatedMove:
     flange_from_tcp: Frame
     load_kg: float
     """Mass at the wrist."""
-    speed: tuple[float, ...]
+    speed: tuple[float, float]
     """Speeds of the TCP [mm/s] and of reorientation [deg/s]."""
-    zone: tuple[float, ...] | None
+    zone: tuple[float, float, float] | None
     """Radius [mm], its radius [mm] and angle [deg] for the orientation; null for a stop point."""
     duration_s: float | None
     """Programmed time, which replaces the speed."""
@@ -270,28 +270,24 @@ def _fault(run: DonatedRun, axes: int) -> str | None:
 
 
 def _is_possible(move: DonatedMove) -> bool:
-    """Whether the values of a move have lengths and ranges from which a program can be made."""
+    """Whether the values of a move have ranges from which a program can be made."""
     frames = [move.base_from_tcp, move.flange_from_tcp]
     frames += [] if move.circle_point is None else [move.circle_point]
     values = [*move.speed, *(move.zone or ()), move.wait_s, move.load_kg, move.duration_s or 0.0]
     return (
         move.path in {one.value for one in Geometry}
         and (move.path == Geometry.ARC.value) == (move.circle_point is not None)
-        and all(len(one) == len(_UNIT) for one in frames)
         and all(abs(math.hypot(*one[3:]) - 1.0) < _QUATERNION_NORM for one in frames)
-        and len(move.speed) == len(("tcp", "reorientation"))
-        and (move.zone is None or len(move.zone) == len(("radius", "turning", "angle")))
         and all(0.0 <= value < _MOST for value in values)
         and all(abs(value) < _MOST for one in frames for value in one)
         and all(0.0 < one <= 100.0 for one in (move.ramp_percent, move.acceleration_percent))
     )
 
 
-_UNIT = (0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0)
-
-
 def _frame(a_from_b: Transform) -> Frame:
-    return (*(a_from_b.translation / _MM).tolist(), *a_from_b.quaternion.tolist())
+    x, y, z = (a_from_b.translation / _MM).tolist()
+    q1, q2, q3, q4 = a_from_b.quaternion.tolist()
+    return x, y, z, q1, q2, q3, q4
 
 
 def _transform(frame: Sequence[float]) -> Transform:

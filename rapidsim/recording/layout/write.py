@@ -10,13 +10,14 @@ from __future__ import annotations
 import hashlib
 import uuid
 from collections.abc import Sequence
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 import rerun as rr
 
 from rapidsim.frames.transform import Transform
-from rapidsim.motion.timing.axis_limits import model_of
+from rapidsim.motion.timing.axis_limits import limits_of, model_of
 from rapidsim.recording.layout.blueprint import blueprint
 from rapidsim.recording.layout.camera import cell_size
 from rapidsim.recording.panels.log import log_messages
@@ -149,12 +150,24 @@ def _properties(simulation: Simulation, dt: float) -> rr.AnyValues:
         sample_interval_s=dt,
         motion_model=model.version,
         controller=model.controller,
-        acceleration_time_s=model.acceleration_time,
         filter_time_s=max(one.window for one in resolved),
         smoothing=model.smoothing,
         fine_dwell_s=max(one.dwell for one in resolved),
         corner=model.corner,
+        # What is None is left out.
+        acceleration_time_s=acceleration_time_of(simulation),
     )
+
+
+def acceleration_time_of(simulation: Simulation) -> float | None:
+    """Return the model's time [s] in which axes reach their speed; None if it limits no axis."""
+    model = simulation.model
+    slower = replace(model, acceleration_time=2.0 * model.acceleration_time)
+    for one in simulation.robots:
+        ours, theirs = (limits_of(one.robot, each).max_acceleration for each in (model, slower))
+        if (ours != theirs).any():
+            return model.acceleration_time
+    return None
 
 
 def _content_id(simulation: Simulation, runs: Sequence[RecordedRobot]) -> uuid.UUID:

@@ -191,8 +191,11 @@ class HttpFrontend:
             case "logout", "GET":
                 self.sessions.end(session)
                 return dialect.represent(request, Answer())
+            case "fileservice", _:
+                async with session.transfer:
+                    return await self._resource(request, path, is_file=True)
             case _:
-                return await self._resource(request, path, is_file=first == "fileservice")
+                return await self._resource(request, path, is_file=False)
 
     async def _resource(
         self, request: web.Request, path: str, *, is_file: bool

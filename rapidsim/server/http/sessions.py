@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import asyncio
 import secrets
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field
@@ -23,6 +24,8 @@ class Session:
     """Its cookies count only here: in `http` others may have read them, in `https` not."""
     cookies: Mapping[str, str]
     used_s: float
+    transfer: asyncio.Lock = field(default_factory=asyncio.Lock)
+    """Held during the transfer of a file: a session has one at a time, and others come between."""
 
     def cookie_keys(self) -> Iterator[tuple[str, str, str]]:
         """Scheme, name and value of each cookie."""

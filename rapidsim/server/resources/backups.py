@@ -7,6 +7,7 @@ HOME, as `rapidsim check` and a controller read it. It is complete when the requ
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
+from pathlib import Path
 from typing import Final
 
 from rapidsim.interpreter.linking.saved_text import text_of
@@ -31,8 +32,8 @@ def create(context: RequestContext, request: Request) -> Answer:
     address = required_value(request.form, "backup").strip("/").removeprefix("fileservice/")
     if not context.files.is_below_a_disk(address):
         raise refused(BAD_PARAMETER, f"`{address}` cannot be the place of a backup")
-    files = dict(_files(context, request))
-    files |= {f"HOME/{name}": content for name, content in context.files.home_files()}
+    files: dict[str, bytes | Path] = dict(_files(context, request))
+    files |= {f"HOME/{name}": file for name, file in context.files.home_files()}
     context.files.write_folder(address, files)
     context.operations.append(_OPERATION)
     return Answer(status=202, location=f"/progress/{len(context.operations)}")

@@ -61,7 +61,8 @@ class FileService:
                 )  # A folder for programs is made when the first writes into it.
             if not place.is_file():
                 raise _missing(address)
-            return self._content(place)
+            with os.fdopen(os.open(place, os.O_RDONLY | CAUTION), "rb") as stream:
+                return stream.read()
 
     def write(self, address: str, content: bytes) -> bool:
         """Write a file completely or not at all; return whether it is new.
@@ -97,8 +98,8 @@ class FileService:
         name = disk.lstrip("$").rstrip(":").upper()
         return bool(rest.strip("/")) and name in DISKS and name != "HOME"
 
-    def home_files(self) -> Iterator[tuple[str, bytes]]:
-        """Yield path and content of each file of HOME, but for those of the other disks."""
+    def home_files(self) -> Iterator[tuple[str, Path]]:
+        """Yield each file of HOME, but for those of the other disks, with its path in HOME."""
         disks = {self._folder(disk) for disk in DISKS} - {self.home}
         pending = [self.home]
         while pending:
@@ -108,10 +109,10 @@ class FileService:
                 if one.is_dir():
                     pending.append(one)
                 else:
-                    yield one.relative_to(self.home).as_posix(), self._content(one)
+                    yield one.relative_to(self.home).as_posix(), one
 
-    def write_folder(self, address: str, files: Mapping[str, bytes]) -> None:
-        """Write a new folder with files, by their paths in it, completely or not at all.
+    def write_folder(self, address: str, files: Mapping[str, bytes | Path]) -> None:
+        """Write a new folder with files, or copies, by paths in it, completely or not at all.
 
         Raises:
             RefusedRequest: If there is such a folder, it cannot be written, or the disk is full.
@@ -120,14 +121,20 @@ class FileService:
             place = self._place(address)
             if place.exists():
                 raise refused(BAD_PARAMETER, f"{address} is there already")
-            self._reserve(place, sum(map(len, files.values())))
+            sizes = (
+                len(one) if isinstance(one, bytes) else one.stat().st_size for one in files.values()
+            )
+            self._reserve(place, sum(sizes))
             place.parent.mkdir(parents=True, exist_ok=True)
             temporary = Path(tempfile.mkdtemp(dir=place.parent, prefix=_UPLOAD))
             try:
                 for name, content in files.items():
                     self._reserve(temporary / name)
                     (temporary / name).parent.mkdir(parents=True, exist_ok=True)
-                    (temporary / name).write_bytes(content)
+                    if isinstance(content, bytes):
+                        (temporary / name).write_bytes(content)
+                    else:
+                        shutil.copyfile(content, temporary / name, follow_symlinks=False)
                 temporary.chmod(0o755)
                 temporary.replace(place)
             except BaseException:
@@ -183,11 +190,6 @@ class FileService:
                     place.rename(other)
                 case _:
                     raise refused(BAD_PARAMETER, f"files have no action {action}")
-
-    @staticmethod
-    def _content(place: Path) -> bytes:
-        with os.fdopen(os.open(place, os.O_RDONLY | CAUTION), "rb") as stream:
-            return stream.read()
 
     def _reserve(self, place: Path, count: int = 0) -> None:
         """Use more bytes of the disk, for a file or folder that may be new.

@@ -134,8 +134,11 @@ def cartesian(context: RequestContext, request: Request, unit: str) -> Answer:
     tool, wobj = query.get("tool") or "tool0", query.get("wobj") or "wobj0"
     now = position.target(task, tool, wobj, _frame(query.get("coordinate", "")))
     fields = _numbers(("x", "y", "z"), now.trans) | _numbers(("q1", "q2", "q3", "q4"), now.rot)
-    fields |= _numbers(("j1", "j4", "j6", "jx"), now.robconf)
-    return Answer((Item("ms-mechunit-cartesian", name, fields),))
+    names, title = ("j1", "j4", "j6", "jx"), "cartesian"
+    if request.generation == 2:
+        names, title = ("cf1", "cf4", "cf6", "cfx"), name
+    fields |= _numbers(names, now.robconf)
+    return Answer((Item("ms-mechunit-cartesian", title, fields),))
 
 
 def axes(context: RequestContext, request: Request, unit: str) -> Answer:

@@ -46,8 +46,8 @@ def question_item(question: Question) -> Item:
         "instr": question.instruction,
         "event": "POST",
         "stack": stack,
-        "execlv": "NORMAL",
+        "execlv": "Normal",
         "msg": question.prompt,
         "keys": " / ".join(filter(None, question.choices)),
     }
-    return Item("rap-uiactive-li", stack, fields, href="rw/rapid/uiinstr/active")
+    return Item("rap-uiactive-li", "active", fields, href="rw/rapid/uiinstr/active")

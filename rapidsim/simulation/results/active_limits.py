@@ -22,6 +22,8 @@ from rapidsim.motion.trajectory.trajectory import Trajectory
 from rapidsim.simulation.results.simulation import RobotRun, Simulation
 from rapidsim.values import value_class
 
+_Team = Sequence[tuple[RobotRun, Piece]]
+
 
 @value_class(frozen=True, slots=True)
 class ActiveLimit:
@@ -75,6 +77,7 @@ def active_limits(simulation: Simulation, robot_run: RobotRun) -> ActiveLimits:
     """Return the active limits of a robot's motion."""
     limits: dict[ActiveLimit, int] = {_NOTHING: 0}
     columns: list[tuple[Array, Index, Index, Array]] = []
+    teams = _teams(simulation, robot_run)
     place = 0.0
     for piece in robot_run.trajectory.command.pieces:
         s, timing = piece.timing.s, piece.timing
@@ -85,7 +88,7 @@ def active_limits(simulation: Simulation, robot_run: RobotRun) -> ActiveLimits:
         segment = np.searchsorted(piece.path.segment_starts, nodes[:-1], side="right") - 1
         numbers = np.zeros(len(segment), dtype=np.int64)
         if timing.active is not None:
-            team = _team_of(simulation, robot_run, piece)
+            team = teams[id(piece.path), piece.first]
             active = timing.active[first:after]
             kinds = len(timing.limiters)
             cases, case = np.unique(segment * kinds + active, return_inverse=True)
@@ -125,28 +128,21 @@ def most_frequent(limits: Mapping[int, str], moves: Iterable[int]) -> str:
     return next((text for text, _ in counted.most_common(1)), "")
 
 
-def _team_of(
-    simulation: Simulation, robot_run: RobotRun, piece: Piece
-) -> Sequence[tuple[RobotRun, Piece]]:
-    """Return the robots of a team, in its order, with the same piece of their motion as planned."""
-    if len(simulation.robots) == 1:
-        return [(robot_run, piece)]
-    planned = next(
-        one
-        for one in robot_run.trajectory.pieces
-        if one.path is piece.path and one.first == piece.first
-    )
-    return [
-        (robot, one)
-        for robot in simulation.robots
-        for one in robot.trajectory.pieces
-        if one.timing is planned.timing
-    ]
+def _teams(simulation: Simulation, robot_run: RobotRun) -> Mapping[tuple[int, int], _Team]:
+    """Return, by path (its identity) and first move of pieces of a robot, the robots of its team.
+
+    They are in the order of the team, with the same piece of their motion as planned.
+    """
+    teams: dict[int, list[tuple[RobotRun, Piece]]] = {}
+    for robot in simulation.robots:
+        first = {id(one.timing): one for one in reversed(robot.trajectory.pieces)}
+        for timing, piece in first.items():
+            teams.setdefault(timing, []).append((robot, piece))
+    pieces = robot_run.trajectory.pieces
+    return {(id(one.path), one.first): teams[id(one.timing)] for one in reversed(pieces)}
 
 
-def _limit(
-    limiter: Limiter, segment: int, robot_run: RobotRun, team: Sequence[tuple[RobotRun, Piece]]
-) -> ActiveLimit:
+def _limit(limiter: Limiter, segment: int, robot_run: RobotRun, team: _Team) -> ActiveLimit:
     """Return the limit of a segment of a piece, from the point of view of one robot of a team."""
     text, axis = str(limiter), limiter.axis
     if limiter.robot is not None:
