@@ -1,17 +1,18 @@
-"""Write `docs/library.md` from the table of routines: `python scripts/build_library_page.py`."""
+"""Write the pages of the library, `docs/library.md` and `docs/library/`, from the source.
+
+    python scripts/build_library_page.py
+"""
 
 from __future__ import annotations
 
-from pathlib import Path
+from pages_of_folder import write_pages
 
-from rapidsim.report.pages.library_page import library_page
-
-PAGE = Path(__file__).parents[1] / "docs" / "library.md"
+from rapidsim.report.pages.library_page import library_pages
 
 
 def main() -> None:
-    """Write the page."""
-    PAGE.write_text(library_page(), encoding="utf-8", newline="\n")
+    """Write the pages."""
+    write_pages(library_pages(), "library")
 
 
 if __name__ == "__main__":

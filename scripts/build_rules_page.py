@@ -1,18 +1,19 @@
-"""Write `docs/rules.md` from the pages of the rules: `python scripts/build_rules_page.py`."""
+"""Write the pages of the rules, `docs/rules.md` and `docs/rules/`, from the source.
+
+    python scripts/build_rules_page.py
+"""
 
 from __future__ import annotations
 
-from pathlib import Path
+from pages_of_folder import write_pages
 
 from rapidsim.diagnostics import all_rules
-from rapidsim.report.pages.rules_page import rules_page
-
-PAGE = Path(__file__).parents[1] / "docs" / "rules.md"
+from rapidsim.report.pages.rules_page import rules_pages
 
 
 def main() -> None:
-    """Write the page."""
-    PAGE.write_text(rules_page(all_rules()), encoding="utf-8", newline="\n")
+    """Write the pages."""
+    write_pages(rules_pages(all_rules()), "rules")
 
 
 if __name__ == "__main__":

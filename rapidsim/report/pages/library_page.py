@@ -1,4 +1,4 @@
-"""All installed routines as one page of Markdown: `docs/library.md`."""
+"""All installed routines as pages of Markdown: `docs/library.md` lists their chapters."""
 
 from __future__ import annotations
 
@@ -26,20 +26,22 @@ What came with RobotWare 7 says so. What RobotWare 7 has no more is not listed: 
 """
 
 
-def library_page() -> str:
-    """The page: a table of contents with counts, then a chapter after the other."""
+def library_pages() -> Mapping[str, str]:
+    """Return the pages by path below `docs`: chapters with counts, then a page for each."""
     chapters = _chapters()
     simulated = sum(row.simulated for row in ROUTINES.values())
     parts = [_INTRODUCTION.format(known=len(ROUTINES), simulated=simulated)]
     lines = ["| chapter | routines | simulated |", "|---|---|---|"]
     for title, rows in chapters.items():
         count = sum(row.simulated for row in rows)
-        lines.append(f"| [{title}](#{_anchor(title)}) | {len(rows)} | {count} |")
+        lines.append(f"| [{title}]({_path(title)}) | {len(rows)} | {count} |")
     parts.append("\n".join(lines) + "\n")
+    pages = {"library.md": "\n".join(parts)}
     for title, rows in chapters.items():
         entries = [_entry(row) for row in sorted(rows, key=lambda row: row.name.lower())]
-        parts.append(f"## {title}\n\n" + "\n".join(entries) + "\n")
-    return "\n".join(parts)
+        body = "\n".join(entries)
+        pages[_path(title)] = f"# {title}\n\n{body}\n\n[All chapters](../library.md)\n"
+    return pages
 
 
 def signature_text(row: LibraryRoutine) -> str:
@@ -98,5 +100,7 @@ def _parameter(parameter: Parameter) -> str:
     return f"{mode}{of} {parameter.name}"
 
 
-def _anchor(title: str) -> str:
-    return title.lower().replace(" ", "-").replace("/", "")
+def _path(title: str) -> str:
+    """The path of a chapter's page below `docs`."""
+    words = "".join(letter if letter.isalnum() else " " for letter in title.lower()).split()
+    return f"library/{'-'.join(words)}.md"
