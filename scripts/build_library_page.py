@@ -1,6 +1,6 @@
 """Write the pages of the library, `docs/library.md` and `docs/library/`, from the source.
 
-    python scripts/build_library_page.py
+python scripts/build_library_page.py
 """
 
 from __future__ import annotations

@@ -1,6 +1,6 @@
 """Write the pages of the rules, `docs/rules.md` and `docs/rules/`, from the source.
 
-    python scripts/build_rules_page.py
+python scripts/build_rules_page.py
 """
 
 from __future__ import annotations

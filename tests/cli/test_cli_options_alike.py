@@ -20,7 +20,7 @@ OF_TWO_KINDS = {
 def options() -> list[tuple[str, click.Option]]:
     """The options of each command."""
     context = click.Context(commands)
-    found = []
+    found: list[tuple[str, click.Option]] = []
 
     def look(command: click.Command, name: str) -> None:
         found.extend((name, one) for one in command.params if isinstance(one, click.Option))

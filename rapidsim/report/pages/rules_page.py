@@ -56,7 +56,11 @@ def _row(rule: Rule) -> str:
 
 
 def _page(rule: Rule) -> str:
-    lines = [f"# {rule.code} {rule.name}\n", f"{_severity(rule).capitalize()}.\n", explanation(rule)]
+    lines = [
+        f"# {rule.code} {rule.name}\n",
+        f"{_severity(rule).capitalize()}.\n",
+        explanation(rule),
+    ]
     if rule.cf:
         lines.append(f"\nController event: {rule.cf}.")
     for heading, program in shown_programs(rule).items():
