@@ -151,8 +151,9 @@ class _Search:
             wider = ((0, 0), (0, more))
             self._wanted = np.pad(self._wanted, wider, constant_values=FARTHEST_M)
             self._nearest = np.pad(self._nearest, wider, constant_values=FARTHEST_M)
-        self._travel = Travel(self._scene, self._bodies.bounds, self._poses)
-        open_ones, looks = self._initial_intervals(), 0
+        judged = np.flatnonzero((self._from < times[-1]) & (self._until > times[0]))
+        self._travel = Travel(self._scene, self._bodies.bounds, self._poses, judged)
+        open_ones, looks = self._initial_intervals(judged), 0
         while True:
             least = self._least(open_ones)
             touches, nearer = self._matters(open_ones, least)
@@ -186,10 +187,8 @@ class _Search:
                     world = poses.of(one).apply(centre[one])[0]
                     self._touch.setdefault((number, move), _Touch(0.0, world))
 
-    def _initial_intervals(self) -> PairIntervals:
-        """Return the longest intervals of a block that bounds of the bodies leave undecided."""
-        times = self._poses.times
-        judged = np.flatnonzero((self._from < times[-1]) & (self._until > times[0]))
+    def _initial_intervals(self, judged: Index) -> PairIntervals:
+        """Return the longest intervals of pairs that bounds of the bodies leave undecided."""
         nodes: Index = np.unique(np.append(np.arange(0, self._steps, LONGEST), self._steps - 1))
         start, end = np.arange(len(nodes) - 1), np.arange(1, len(nodes))
         some = max(1, _AT_ONCE // len(nodes))
