@@ -31,11 +31,11 @@ LONGEST = 2 ** (_LEVELS - 1)
 class Travel:
     """Relative travel of all pairs over the steps of a block."""
 
-    def __init__(self, scene: Scene, bounds: Bounds, poses: Poses, judged: Index) -> None:
-        """Sum up the travel of judged pairs (k,); those of one body with static ones share it."""
+    def __init__(self, scene: Scene, bounds: Bounds, poses: Poses, pairs: Index) -> None:
+        """Sum up the travel of some pairs (k,); those of one body with static ones share it."""
         columns: dict[tuple[int, int], int] = {}
         self._column: Index = np.zeros(len(scene.pairs), dtype=np.int64)
-        for number in judged.tolist():
+        for number in pairs.tolist():
             pair = scene.pairs[number]
             other = -1 if scene.bodies[pair.second].is_static else pair.second
             self._column[number] = columns.setdefault((pair.first, other), len(columns))
