@@ -151,8 +151,9 @@ class _Search:
             wider = ((0, 0), (0, more))
             self._wanted = np.pad(self._wanted, wider, constant_values=FARTHEST_M)
             self._nearest = np.pad(self._nearest, wider, constant_values=FARTHEST_M)
-        self._travel = Travel(self._scene, self._bodies.bounds, self._poses)
-        open_ones, looks = self._initial_intervals(), 0
+        judged = np.flatnonzero((self._from < times[-1]) & (self._until > times[0]))
+        self._travel = Travel(self._scene, self._bodies.bounds, self._poses, judged)
+        open_ones, looks = self._initial_intervals(judged), 0
         while True:
             least = self._least(open_ones)
             touches, nearer = self._matters(open_ones, least)
@@ -186,16 +187,14 @@ class _Search:
                     world = poses.of(one).apply(centre[one])[0]
                     self._touch.setdefault((number, move), _Touch(0.0, world))
 
-    def _initial_intervals(self) -> PairIntervals:
-        """Return the longest intervals of a block that bounds of the bodies leave undecided."""
-        times = self._poses.times
-        judged = np.flatnonzero((self._from < times[-1]) & (self._until > times[0]))
+    def _initial_intervals(self, pairs: Index) -> PairIntervals:
+        """Return the longest intervals of pairs that bounds of the bodies leave undecided."""
         nodes: Index = np.unique(np.append(np.arange(0, self._steps, LONGEST), self._steps - 1))
         start, end = np.arange(len(nodes) - 1), np.arange(1, len(nodes))
         some = max(1, _AT_ONCE // len(nodes))
         found = []
-        for begin in range(0, max(1, len(judged)), some):
-            pair = judged[begin : begin + some]
+        for begin in range(0, max(1, len(pairs)), some):
+            pair = pairs[begin : begin + some]
             every = np.repeat(pair, len(nodes)), np.tile(nodes, len(pair))
             near = self._bounded(*every).reshape(len(pair), len(nodes))
             each, at = np.repeat(pair, len(start)), np.tile(start, len(pair))

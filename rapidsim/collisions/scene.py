@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import field
 
 import numpy as np
@@ -69,6 +69,12 @@ class Body:
     def is_static(self) -> bool:
         """Whether the body never moves."""
         return len(self.carried) == 1 and self.carried[0].frame == WORLD
+
+    @property
+    def spans(self) -> Iterator[tuple[AttachedBody, float, float]]:
+        """Each attachment with its interval [s]; the first counts before, too."""
+        later = [one.from_s for one in self.carried[1:]]
+        return zip(self.carried, [-np.inf, *later], [*later, np.inf], strict=True)
 
     @property
     def is_lasting(self) -> bool:
@@ -190,14 +196,17 @@ class Scene:
             frames.update(arm_frames(number, arm, postures, used))
         for number, belt in enumerate(self.belts):
             frames[SceneFrame(belt=number)] = belt.frames(times)
+        begin, last = (times.min(), times.max()) if count else (0.0, 0.0)
         for number, body in enumerate(self.bodies):
-            for carried, end in zip(
-                body.carried, (*(one.from_s for one in body.carried[1:]), np.inf), strict=True
-            ):
+            spans = [
+                (one, from_s, until_s)
+                for one, from_s, until_s in body.spans
+                if from_s <= last and until_s > begin
+            ]
+            for carried, from_s, until_s in spans:
                 rows: slice | npt.NDArray[np.bool_] = slice(None)
-                if len(body.carried) > 1:
-                    first = carried is body.carried[0]
-                    rows = ((times >= carried.from_s) | first) & (times < end)
+                if len(spans) > 1:
+                    rows = (times >= from_s) & (times < until_s)
                 pose = carried.frame_from_body
                 if carried.frame != WORLD:
                     pose = frames[carried.frame][rows] @ pose

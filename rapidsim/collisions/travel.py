@@ -31,14 +31,14 @@ LONGEST = 2 ** (_LEVELS - 1)
 class Travel:
     """Relative travel of all pairs over the steps of a block."""
 
-    def __init__(self, scene: Scene, bounds: Bounds, poses: Poses) -> None:
-        """Sum up the travel of pairs; pairs of one body with static bodies share a column."""
+    def __init__(self, scene: Scene, bounds: Bounds, poses: Poses, pairs: Index) -> None:
+        """Sum up the travel of some pairs (k,); those of one body with static ones share it."""
         columns: dict[tuple[int, int], int] = {}
-        of_pair = []
-        for pair in scene.pairs:
+        self._column: Index = np.zeros(len(scene.pairs), dtype=np.int64)
+        for number in pairs.tolist():
+            pair = scene.pairs[number]
             other = -1 if scene.bodies[pair.second].is_static else pair.second
-            of_pair.append(columns.setdefault((pair.first, other), len(columns)))
-        self._column: Index = np.array(of_pair)
+            self._column[number] = columns.setdefault((pair.first, other), len(columns))
         count = len(poses.times)
         step = np.diff(poses.times)[:, None]
         self._way = np.zeros((count, len(columns)))

@@ -25,7 +25,7 @@ from rapidsim.findings.collisions import LeftInTheAir, NothingGripped, PlaceOccu
 from rapidsim.frames.transform import Transform
 from rapidsim.motion.configurations.targets import MM
 from rapidsim.simulation.cell_bodies import CellBodies
-from rapidsim.simulation.part_places import FARTHEST_M, PartPlaces
+from rapidsim.simulation.part_places import FARTHEST_M, PartPlaces, PartState
 from rapidsim.simulation.part_supply import PartHolder, PartSink
 from rapidsim.simulation.results.parts import PartChange, PartEvent
 from rapidsim.values import value_class
@@ -119,7 +119,7 @@ class _Tracker:
         courses = {}
         for number, part in self._at.parts.items():
             carried = self._cell.bodies[number].carried
-            if len(part.carried) > 1 or number in self._cell.arrivals:
+            if part.carried != [carried[0]] or number in self._cell.arrivals:
                 if len(carried) > 1:
                     name = self._at.name(number)
                     self._cell.remarks.append(f"{name}: its work object changes as it is carried")
@@ -143,8 +143,18 @@ class _Tracker:
         self._at.frames.prefetch([time_s for time_s, *_ in self._queue.heap] + [0.0])
         for number, part in self._at.parts.items():
             if part.until_s == np.inf and part.from_s == -np.inf:
-                below = self._at.support(number, 0.0, self._at.present(0.0))
-                part.below = None if below is None else below.body
+                self._rest(number, part)
+
+    def _rest(self, number: int, part: PartState) -> None:
+        """Let a part that stands in the world rest on the positioner, belt or part below it."""
+        below = self._at.support(number, 0.0, self._at.bodies(0.0))
+        if below is None:
+            return
+        part.below, first = below.body, part.carried[0]
+        frame = self._at.frame_on(below.body, 0.0)
+        if first.frame == WORLD and (frame.axes or frame.belt is not None):
+            part.carried.clear()
+            self._attach(number, 0.0, below.body, frame, first)
 
     def _appear(self, number: int, time_s: float) -> None:
         part, arrival = self._at.parts[number], self._cell.arrivals[number]
@@ -197,13 +207,13 @@ class _Tracker:
                 taken.append(parts[int(distances.argmin())])
         if not taken:
             self._miss(holder, near, time_s)
+        others = [
+            self._at.name(other)
+            for other, one in self._at.parts.items()
+            if holder.body is not None and one.holder and one.holder.body == holder.body
+        ]
         for number in dict.fromkeys(taken):
             fault: Violation | None = None
-            others = [
-                self._at.name(other)
-                for other, one in self._at.parts.items()
-                if holder.body is not None and one.holder and one.holder.body == holder.body
-            ]
             if others:
                 where = f"{holder.name} holds {others[0]} already"
                 fault = PlaceOccupied(self._at.name(number), where, time_s)

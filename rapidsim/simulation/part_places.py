@@ -104,7 +104,7 @@ class PartPlaces:
             bodies = [
                 body
                 for body in self.bodies(time_s)
-                if body not in parts and self.carrier(body, time_s).frame == holder.frame
+                if body not in holder.parts and self.carrier(body, time_s).frame == holder.frame
             ]
         poses = [self.pose(body, time_s) for body in bodies]
         if holder.body is None and holder.is_of_arm:

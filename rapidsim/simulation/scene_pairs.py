@@ -163,6 +163,8 @@ def lying(scene: Scene, bodies: Bodies, parts: Set[int]) -> Scene:
     A part leaves the body it lies on, and approaches the one it is put on: near on purpose.
     """
     pairs = list(scene.pairs)
+    if not parts:
+        return scene
     changes = sorted({one.from_s for body in parts for one in scene.bodies[body].carried})
     poses = scene.poses(np.array(changes))
     rows = {time_s: row for row, time_s in enumerate(changes)}

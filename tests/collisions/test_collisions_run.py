@@ -5,10 +5,12 @@ from __future__ import annotations
 from pathlib import Path
 
 import jsonschema
+import numpy as np
 import pytest
 from collision_cells import ARM, TABLE, cell, codes, report
 from command_line import call
 
+import rapidsim
 from rapidsim.api.schemas import json_schema
 from rapidsim.plots import write
 from rapidsim.plots.theme import DARK
@@ -311,6 +313,17 @@ def test_what_a_positioner_carries_turns_with_it(parent: str, tmp_path: Path) ->
     assert not found.get("not_judged")
     # Its side comes round to the near corner of the post.
     assert first["point_mm"][:2] == pytest.approx([360.0, -20.0], abs=0.1)
+
+
+def test_a_part_that_stands_on_what_turns_turns_with_it(tmp_path: Path) -> None:
+    station = POSITIONER.partition("[[object]]")[0] + PART.replace("700, 0, 550", "950, 0, 580")
+    carrier = POSITIONER[POSITIONER.index("[[object]]") :] % "unit:TABLE"
+    file = cell(tmp_path, "", station + carrier, TURNED.replace("-179", "90"))
+    collisions = rapidsim.load(file).run().simulation.collisions
+    assert collisions is not None
+    (part,) = collisions.parts
+    place = collisions.scene.poses(np.array([0.0, 60.0])).of(part).translation
+    np.testing.assert_allclose(place, [[0.95, 0.0, 0.58], [0.7, 0.25, 0.58]], atol=1e-6)
 
 
 FIXTURE = """

@@ -16,7 +16,7 @@ from types import FrameType
 from typing import Protocol
 
 from rapidsim.controller.cell.camera_scripts import camera_state
-from rapidsim.controller.cell.conveyors import ConveyorState
+from rapidsim.controller.cell.conveyors import SWITCH_S, ConveyorState
 from rapidsim.controller.cell.datagrams import DatagramTable
 from rapidsim.controller.cell.description import (
     CrossConnection,
@@ -428,6 +428,20 @@ class Cell:
             elif stimulus.when.holds(self.signals.read):
                 self._true.add(index)
                 self._react(index, start.time_s)
+        for conveyor in self.conveyors.values():
+            conveyor.begin(self._pulse)
+
+    def _pulse(self, name: str, time_s: float, is_due: Callable[[float], bool]) -> None:
+        """Let a signal be 1 for a moment, at a time [s], if that is due then."""
+
+        def act(now: Moment) -> None:
+            if is_due(now.time_s):
+                pulse = Stimulus(values={name: 1.0}, pulse_s=SWITCH_S)
+                self._apply_stimulus(pulse, now.time_s)
+
+        moment = Moment(Instant(time_s))
+        self._scheduled.append(_ScheduledChange(moment, act, _folded((name,))))
+        self.notify(moment)
 
     def _follow(self, name: str, cause: Cause, moment: Moment) -> None:
         """Update the signals that are connected to one that has changed."""

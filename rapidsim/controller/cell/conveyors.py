@@ -9,13 +9,15 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 from dataclasses import field
-from typing import Annotated
+from typing import Annotated, TypeAlias
 
 from rapidsim.controller.cell.conditions import Condition
 from rapidsim.json_records.declarations import AboveZero, Key, NotNegative
 from rapidsim.values import value_class
 
 MM_BEHIND = 1e-6
+SWITCH_S = 0.1
+"""Length [s] of the pulse of a switch."""
 
 
 @value_class(frozen=True, slots=True)
@@ -34,6 +36,8 @@ class ConveyorScript:
     """An object that travels this far from the switch without being taken is lost."""
     runs: Condition | None = None
     """While it holds, the belt runs; no key if it always does."""
+    switch: str | None = None
+    """The input that is 1 for 0.1 s each time that an object passes the switch."""
     arrival: Annotated[str | None, Key("object")] = None
     """The [[object]] of which a copy arrives each time, at the pose of the object."""
     surface: str | None = None
@@ -42,6 +46,10 @@ class ConveyorScript:
     """Position of the switch in the world [mm]."""
     quaternion: tuple[float, float, float, float] = (1.0, 0.0, 0.0, 0.0)
     """Orientation of the switch; the belt travels along its x axis."""
+
+
+Schedule: TypeAlias = Callable[[str, float, Callable[[float], bool]], None]
+"""Lets a signal be 1 for a moment, at a time [s], if a function of that time is true then."""
 
 
 @value_class(slots=True, eq=False)
@@ -57,6 +65,11 @@ class ConveyorState:
     _since_s: float = 0.0
     _travelled_s: float = 0.0
     """Time of the belt at `_since_s`."""
+    _passes: int = 0
+    """Number of objects that have operated the switch."""
+    _changes: int = 0
+    """Number of times that the belt has started or stopped."""
+    _schedule: Schedule | None = None
     _runs: bool = field(init=False)
 
     def __post_init__(self) -> None:
@@ -74,7 +87,7 @@ class ConveyorState:
         None if there is no object; infinite if the belt stands before.
         """
         script = self.script
-        belt_s = self._travelled_s + (now_s - self._since_s if self._runs else 0.0)
+        belt_s = self._belt_s(now_s)
         late_s = (script.length_mm + MM_BEHIND) / script.speed_mm_s
         while (passed_s := self._passes_s()) is not None and passed_s + late_s < belt_s:
             self._next += 1
@@ -90,8 +103,35 @@ class ConveyorState:
 
     def signal_changed(self, signal: str, old: float, value: float, now_s: float) -> None:
         """Start or stop the belt."""
-        self._travelled_s += now_s - self._since_s if self._runs else 0.0
+        self._travelled_s = self._belt_s(now_s)
         self._since_s, self._runs = now_s, self._is_running()
+        self._changes += 1
+        self._watch_switch(now_s)
+
+    def begin(self, schedule: Schedule) -> None:
+        """Operate the switch from time zero on."""
+        self._schedule = schedule
+        self._watch_switch(0.0)
+
+    def _watch_switch(self, now_s: float) -> None:
+        """Schedule the next pulse of the switch, if the belt goes on as now."""
+        switch, passes_s = self.script.switch, self._arrives_s(self._passes)
+        if self._schedule is None or switch is None or passes_s is None or not self._runs:
+            return
+        changes = self._changes
+
+        def passes(time_s: float) -> bool:
+            if self._changes != changes:
+                return False
+            self._passes += 1
+            self._watch_switch(time_s)
+            return True
+
+        self._schedule(switch, now_s + max(0.0, passes_s - self._belt_s(now_s)), passes)
+
+    def _belt_s(self, now_s: float) -> float:
+        """Time [s] for which the belt has run."""
+        return self._travelled_s + (now_s - self._since_s if self._runs else 0.0)
 
     def _is_running(self) -> bool:
         return self.script.runs is None or self.script.runs.holds(self.read)
@@ -106,7 +146,10 @@ class ConveyorState:
 
     def _passes_s(self) -> float | None:
         """Time [s] of the belt at which the next object passes the switch; None for none."""
+        return self._arrives_s(self._next)
+
+    def _arrives_s(self, number: int) -> float | None:
         every_s = self.script.every_s
-        if self._next and every_s is None:
+        if number and every_s is None:
             return None
-        return self.script.first_s + self._next * (every_s or 0.0)
+        return self.script.first_s + number * (every_s or 0.0)

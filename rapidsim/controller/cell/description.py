@@ -275,7 +275,8 @@ class CellIo:
     @property
     def written(self) -> tuple[str, ...]:
         """Names of the signals that follow others or are driven, each once."""
-        driven = (name for stimulus in self.stimuli for name in stimulus.values)
+        driven = [name for stimulus in self.stimuli for name in stimulus.values]
+        driven += [one.switch for one in self.conveyors if one.switch]
         return tuple(dict.fromkeys((*(cross.result for cross in self.crosses), *driven)))
 
     @property

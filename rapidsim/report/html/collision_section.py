@@ -26,10 +26,12 @@ def collision_tile(simulation: Simulation) -> str:
     """Whether anything was hit, and how near bodies came; empty where nothing is judged."""
     if simulation.collisions is None:
         return ""
-    hits = simulation.collisions.hits
+    hits, crashes = simulation.collisions.hits, simulation.collisions.crashes
     near = next(iter(clearance_records(simulation)), None)
     if hits:
-        return tile("Collisions", f"{len(hits)}", f"the first at {hits[0].time_s:.4f} s")
+        return tile(
+            "Collisions", f"{len(crashes) or len(hits)}", f"the first at {hits[0].time_s:.4f} s"
+        )
     if near is None:
         return tile("Smallest clearance", f"> {1000.0 * FARTHEST_M:g} mm")
     between = f"{near.first}, {near.second}".replace("`", "")

@@ -221,7 +221,7 @@ def _collisions(simulation: Simulation, collisions: Collisions) -> Text:
     """The first contact, or how near bodies came, and what the shapes are worth."""
     contacts = [one for one in contact_records(simulation) if not one.continued]
     if contacts:
-        first, count = contacts[0], len(contacts)
+        first, count = contacts[0], len(collisions.crashes) or len(contacts)
         times = "once" if count == 1 else f"{count} times, first"
         where = "" if first.file is None else f" at {Path(first.file).name}:{first.line}"
         text = Text(

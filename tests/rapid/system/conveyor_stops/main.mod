@@ -16,6 +16,9 @@ MODULE conveyor_stops
     WaitWObj wCnv;
     TPWrite ValToStr(Round(ClkRead(watch)\Dec:=1)); ! -> 6
     DropWObj wCnv;
+    WaitDI diPart,0;
+    WaitDI diPart,1;
+    TPWrite ValToStr(Round(ClkRead(watch)\Dec:=1)); ! -> 11
     WaitWObj wCnv\RelDist:=100;
     TPWrite ValToStr(Round(ClkRead(watch)\Dec:=1)); ! -> 11.5
   ENDPROC
