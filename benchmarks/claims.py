@@ -100,6 +100,8 @@ def main() -> int:
 
 def _start(folder: Path) -> Measured:
     (folder / "tiny.mod").write_text(TINY)
+    # Beside a station, as most programs are.
+    (folder / "rapidsim.toml").write_text('[signals]\ndoGrip = { type = "do" }\n')
     first, second, peer = [], [], []
     for _ in range(7):
         first.append(_run(folder, "check", "tiny.mod", "--no-cache").seconds)

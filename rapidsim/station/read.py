@@ -17,10 +17,8 @@ from rapidsim.station.cameras import read_cameras
 from rapidsim.station.check import read_check
 from rapidsim.station.controller import ClockTable, ControllerTable
 from rapidsim.station.declared_tables import read_records, read_table
-from rapidsim.station.external_axes import read_external_axes
 from rapidsim.station.grippers import read_grippers
 from rapidsim.station.motion import ConfigurationRule, read_motion
-from rapidsim.station.robot import dropped_bounds, read_robots
 from rapidsim.station.searches import read_searches
 from rapidsim.station.signals import read_crosses, read_signals
 from rapidsim.station.sockets import read_sockets
@@ -31,6 +29,8 @@ from rapidsim.station.toml_reader import Reader, Table, as_toml, read_toml
 
 if TYPE_CHECKING:
     from rapidsim.collisions.geometry import CellGeometry
+    from rapidsim.motion.robot.external_axes import ExternalAxis
+    from rapidsim.station.robot import StationRobot
 
 _IO_KEYS = (
     "signals",
@@ -74,11 +74,11 @@ def read_station(file: Path, backup: Station = NO_BACKUP) -> Station:
     table = read_toml(file)
     reader = Reader(file)
     reader.note_unknown_keys("", table, TABLES)
-    robots = read_robots(reader, table, backup.robots)
+    robots, dropped = _robots(reader, table, backup.robots)
     model, configuration, remarks = read_motion(
         reader, reader.table(table, "motion"), reader.table(table, "dynamics")
     )
-    external_axes = read_external_axes(reader, table, model.acceleration_time, backup.external_axes)
+    external_axes = _external_axes(reader, table, model.acceleration_time, backup.external_axes)
     tasks = read_tasks(reader, table, [robot.label for robot in robots] or [None], backup.tasks)
     io = _io(reader, table, backup.io)
     controller = read_table(reader, table, "controller", ControllerTable)
@@ -100,7 +100,7 @@ def read_station(file: Path, backup: Station = NO_BACKUP) -> Station:
         configured=backup.configured,
         robot_source=None if names_arm else backup.robot_source,
         other_units=backup.other_units,
-        remarks=(*remarks, *backup.remarks, *dropped_bounds(robots, backup.robots)),
+        remarks=(*remarks, *backup.remarks, *dropped),
     )
     reader.finish()
     return station
@@ -124,10 +124,34 @@ def read_io(source: Path | Table) -> CellIo:
     return io
 
 
+# What a station does not describe is not imported: frames need NumPy, and shapes take a while.
+
+
+def _robots(
+    reader: Reader, table: Table, defaults: tuple[StationRobot, ...]
+) -> tuple[tuple[StationRobot, ...], tuple[str, ...]]:
+    """Return the robots, and remarks on the values of a backup that they do not have."""
+    if "robot" not in table:
+        return defaults, ()
+    from rapidsim.station.robot import dropped_bounds, read_robots  # noqa: PLC0415
+
+    robots = read_robots(reader, table, defaults)
+    return robots, tuple(dropped_bounds(robots, defaults))
+
+
+def _external_axes(
+    reader: Reader, table: Table, acceleration_time: float, defaults: tuple[ExternalAxis, ...]
+) -> tuple[ExternalAxis, ...]:
+    if "external_axis" not in table:
+        return tuple(sorted(defaults, key=lambda axis: axis.letter))
+    from rapidsim.station.external_axes import read_external_axes  # noqa: PLC0415
+
+    return read_external_axes(reader, table, acceleration_time, defaults)
+
+
 def _geometry(reader: Reader, table: Table) -> CellGeometry | None:
     if not table.keys() & set(_GEOMETRY_KEYS):
         return None
-    # Most stations have no shapes, and reading shapes takes a while to import.
     from rapidsim.station.objects import read_geometry  # noqa: PLC0415
 
     return read_geometry(reader, table)

@@ -127,7 +127,7 @@ class StationRobot:
 def read_robots(
     reader: Reader, station: Table, defaults: Sequence[StationRobot] = ()
 ) -> tuple[StationRobot, ...]:
-    """Read [robot] or each [[robot]]; empty if missing. Errors are collected in the reader.
+    """Read [robot] or each [[robot]]. Errors are collected in the reader.
 
     Args:
         reader: Reads the file.
@@ -135,8 +135,6 @@ def read_robots(
         defaults: The robots of a backup. A table describes the robot with its `name`, else the
             first that no other table describes; a key that it lacks has that robot's value.
     """
-    if "robot" not in station:
-        return tuple(defaults)
     without: tuple[str, ...] = ()
     if isinstance(station.get("robot"), list):
         tables = list(reader.tables(station, "robot"))

@@ -55,6 +55,13 @@ def test_a_command_imports_what_it_needs(
     assert imported(*arguments, cwd=tmp_path).isdisjoint(forbidden)
 
 
+@pytest.mark.process
+def test_a_station_of_signals_needs_no_arrays(tmp_path: Path) -> None:
+    (tmp_path / "tiny.mod").write_text(MODULE)
+    (tmp_path / "rapidsim.toml").write_text('[signals]\ndo1 = { type = "do" }\n')
+    assert imported("check", "tiny.mod", cwd=tmp_path).isdisjoint((*HEAVY, "numpy", "lark"))
+
+
 def test_a_check_that_finds_nothing_reads_of_no_rule(tmp_path: Path) -> None:
     (tmp_path / "tiny.mod").write_text(MODULE)
     count = "diagnostics._rule_folders.cache_info().currsize"

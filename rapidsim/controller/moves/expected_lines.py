@@ -57,8 +57,8 @@ class _Rows:
     """Shape (k, n) [rad]."""
     ends: Transform
     """Shape (k,): curve_from_tcp."""
-    starts: Transform
-    """Shape (k,): the same at the start of each line, from the joints there."""
+    start: Waypoint
+    """Start of the first line, with the pose there of the tool of these."""
     confdata: npt.NDArray[np.int64]
     """Shape (k, 4)."""
 
@@ -140,8 +140,7 @@ class ExpectedLines:
         settings: MotionSettings,
     ) -> QueuedMove:
         end = Waypoint(rows.joints[at], rows.ends[at], start.external)
-        begin = Waypoint(start.joints, rows.starts[at], start.external)
-        segment = self._segment_of(start=begin, end=end)
+        segment = self._segment_of(start=start if at else rows.start, end=end)
         self._from = end
         return QueuedMove(
             move,
@@ -188,8 +187,9 @@ class ExpectedLines:
             self._most = _FIRST_ROWS
             return None
         self._most = min(2 * count, _MOST_ROWS)
-        starts = kinematics.forward(before[:count]) @ placed.tcp_from_flange.inverse()
-        return _Rows(joints.joints[:count], ends[:count], starts, confdata[:count])
+        begin = placed.standing_at(kinematics, start.joints, start.external)
+        first = Waypoint(start.joints, begin, start.external)
+        return _Rows(joints.joints[:count], ends[:count], first, confdata[:count])
 
 
 def _poses(targets: Sequence[RobTarget], placed: Placement) -> Transform:

@@ -69,7 +69,7 @@ def early_output_findings(
 def _early(
     events: Sequence[Event], robot_run: RobotRun, traps: AbstractSet[str]
 ) -> Iterator[_Early]:
-    before = list(_before_arrival(events, robot_run, traps))
+    before = list(_during_fly_by(events, robot_run, traps))
     if not before:
         return
     times = np.array([event.time_s for event, _, _ in before])
@@ -83,7 +83,7 @@ def _early(
             yield _Early(event, place, move, distance)
 
 
-def _before_arrival(
+def _during_fly_by(
     events: Sequence[Event], robot_run: RobotRun, traps: AbstractSet[str]
 ) -> Iterator[tuple[Event, Place, ExecutedMove]]:
     """Yield changes of signals during a fly-by move, the last one before the statement."""

@@ -21,6 +21,7 @@ from rapidsim.controller.cell.conditions import Condition
 from rapidsim.controller.cell.description import Gripper
 from rapidsim.controller.journal.events import Event, EventKind
 from rapidsim.controller.moves.executed_move import ExecutedMove
+from rapidsim.controller.moves.executed_moves import MoveColumns
 from rapidsim.diagnostics import Diagnostic, Violation
 from rapidsim.findings.gripper import (
     GripLoadMissing,
@@ -31,6 +32,7 @@ from rapidsim.findings.gripper import (
     GripperOpensEmpty,
 )
 from rapidsim.language.moves import Place
+from rapidsim.motion.kinematics.arm import Mask
 from rapidsim.simulation.results.simulation import End, RobotRun, Simulation
 from rapidsim.values import value_class
 
@@ -57,11 +59,11 @@ class _Switch:
     moves_before: int | None
     """Number of moves of the robot before it; None if another task sets the signal."""
 
-    def precedes(self, move: ExecutedMove) -> bool:
-        """Whether a move follows in the program, or in time if the program order is unknown."""
+    def precedes(self, moves: MoveColumns) -> Mask:
+        """Which moves (k,) follow in the program, or in time if the program order is unknown."""
         if self.moves_before is not None:
-            return move.index >= self.moves_before
-        return move.start_s >= self.time_s - _SAME_TIME_S
+            return moves.index >= self.moves_before
+        return moves.start_s >= self.time_s - _SAME_TIME_S
 
 
 @value_class(frozen=True, slots=True)
@@ -103,14 +105,13 @@ def _merged(faults: Sequence[_Fault]) -> Diagnostic:
 
 def _faults(gripper: Gripper, robot: RobotRun, simulation: Simulation) -> Iterator[_Fault]:
     switches = list(_switches(gripper.close, robot.task, simulation))
+    columns = robot.moves.columns
     for number, switch in enumerate(switches):
         following = switches[number + 1 :]
         until_s = following[0].time_s if following else simulation.time_s
-        moves = [
-            move
-            for move in robot.moves
-            if switch.precedes(move) and move.start_s < until_s and move.end_s > move.start_s
-        ]
+        follows = switch.precedes(columns)
+        made = (columns.start_s < until_s) & (columns.end_s > columns.start_s)
+        moves = [robot.moves[at] for at in np.flatnonzero(follows & made).tolist()]
         if switch.place is not None and gripper.at == "stand":
             early = [*_in_motion(gripper, robot, switch)]
             may_hold = switch.closes or number > 0
@@ -121,7 +122,7 @@ def _faults(gripper: Gripper, robot: RobotRun, simulation: Simulation) -> Iterat
             if is_over and switch.place is not None:
                 yield _Fault(GripperNeverOpens(gripper.name, "the end of main"), switch.place)
         else:
-            has_moved = any(not switch.precedes(move) for move in robot.moves[:1])
+            has_moved = not follows[:1].all()
             if number == 0 and switch.place is not None and has_moved:
                 yield _Fault(GripperOpensEmpty(gripper.name), switch.place)
             yield from _loaded_when_open(gripper, moves)
@@ -165,14 +166,12 @@ def _number(value: object) -> float:
 
 def _in_motion(gripper: Gripper, robot: RobotRun, switch: _Switch) -> Iterator[_Fault]:
     """Yield a fault if a gripper acts before the active move has ended."""
-    under_way = [
-        move
-        for move in robot.moves
-        if not switch.precedes(move) and move.end_s > switch.time_s + _SAME_TIME_S
-    ]
-    if not under_way or switch.place is None:
+    columns = robot.moves.columns
+    lasts = columns.end_s > switch.time_s + _SAME_TIME_S
+    under_way = np.flatnonzero(lasts & ~switch.precedes(columns))
+    if not len(under_way) or switch.place is None:
         return
-    rest_s = under_way[-1].end_s
+    rest_s = float(columns.end_s[under_way[-1]])
     samples = robot.sample(np.array([switch.time_s, rest_s]))
     turned = float(np.max(np.abs(samples.joints[1] - samples.joints[0])))
     if turned < _REST_RAD:
