@@ -20,6 +20,7 @@ from rapidsim.language.data import JointTarget, Pos, RobTarget, ToolData, WobjDa
 from rapidsim.language.moves import MotionSettings, Move
 from rapidsim.language.path_events import Trigger
 
+_ROUNDING_S = 1e-9
 _LOOKS_BACK_S = 1e-3
 _ARRIVED_MM = 0.01
 """A path that ends this close to its target was not cut short."""
@@ -76,7 +77,7 @@ class TaskMotion:
         is_guided = self.unit.member.guided is not None
         if is_guided or self.unit.queue.is_open:
             return True
-        return self.unit.trajectory.duration > self.clock.resolve_time()
+        return self.unit.trajectory.duration - self.clock.resolve_time() > _ROUNDING_S
 
     def current_target(self, tool: ToolData | None, wobj: WobjData | None) -> RobTarget:
         """Current robtarget of the TCP; None selects the tool or work object of the last move."""
