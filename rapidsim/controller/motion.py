@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -58,10 +57,6 @@ class TaskMotion:
         """Append a move to the path, with the triggers along it."""
         self.put(move, lambda queued: self.triggers.mark(queued, triggers))
 
-    def expect(self, targets: Sequence[RobTarget]) -> None:
-        """Announce the targets of the next moves."""
-        self.resolver.expected.expect(targets)
-
     def current_joints(self) -> JointTarget:
         """Current positions of the axes."""
         self.clock.note_line()
@@ -82,7 +77,7 @@ class TaskMotion:
         is_guided = self.unit.member.guided is not None
         if is_guided or self.unit.queue.is_open:
             return True
-        return self.unit.trajectory.duration > self.clock.resolve_time() + _ROUNDING_S
+        return self.unit.trajectory.duration - self.clock.resolve_time() > _ROUNDING_S
 
     def current_target(self, tool: ToolData | None, wobj: WobjData | None) -> RobTarget:
         """Current robtarget of the TCP; None selects the tool or work object of the last move."""

@@ -28,9 +28,9 @@ def test_a_cell_loses_no_part(program: str) -> None:
 @pytest.mark.parametrize(
     ("program", "code", "mark"),
     [
-        ("turntable/Forgetful.mod", "C106", "! grips nothing"),
-        ("belt_pick/Running.mod", "C106", "! grips nothing"),
-        ("hand_over/Trusting.mod", "C105", "! drops the part"),
+        ("turntable/faulty/Forgetful.mod", "C106", "! grips nothing"),
+        ("belt_pick/faulty/Running.mod", "C106", "! grips nothing"),
+        ("hand_over/faulty/Trusting.mod", "C105", "! drops the part"),
     ],
 )
 def test_a_planted_fault_is_found_on_its_line(program: str, code: str, mark: str) -> None:

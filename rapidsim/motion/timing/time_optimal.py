@@ -31,7 +31,7 @@ _IDLE_S = 1e-6
 _ACCELERATION_EXCESS = 0.002
 """Share of an acceleration by which it may be exceeded within a stage."""
 _SPEED_EXCESS = 5e-4
-_NEARLY = 0.97
+_NEARLY = 0.9
 """Share of its limit from which on a smoothed speed counts as exceeding it."""
 
 
@@ -149,7 +149,7 @@ def _needed(problem: Problem, division: Division, start_speed: float) -> Mask:
     free = TimeScaling(stages.nodes, np.sqrt(x), 0.0)
     needed: Mask = np.zeros(len(speeds), dtype=bool)
     for window in problem.path.windows:
-        place, speed = free.smoothed(window)
+        place, speed = free.smoothed(window, np.union1d(free.times, free.times + window))
         mean = np.interp(stages.places, place, speed)
         needed |= np.any(mean > _NEARLY * speeds, axis=1)
     # An excess between two points shows in one of the next stages.
