@@ -65,6 +65,15 @@ def test_axes_and_groups_are_there_for_every_station(tmp_path: Path) -> None:
     serve(tmp_path, PROGRAM, use)
 
 
+def test_a_cell_that_uses_sensors_has_the_option_for_them(tmp_path: Path) -> None:
+    async def use(served: Served) -> None:
+        _, listed = await served.get("rw/system")
+        names = [one["option"] for one in listed["options"]]
+        assert names == ["616-1 PC Interface", "689-1 Externally Guided Motion"]
+
+    serve(tmp_path, PROGRAM.replace("PROC", "VAR egmident sensor;\nPROC", 1), use)
+
+
 def test_attributes_are_set_all_or_none(tmp_path: Path) -> None:
     async def use(served: Served) -> None:
         arm = "rw/cfg/MOC/ARM/instances/rob1_1"
