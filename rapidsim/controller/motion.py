@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -20,8 +21,8 @@ from rapidsim.language.data import JointTarget, Pos, RobTarget, ToolData, WobjDa
 from rapidsim.language.moves import MotionSettings, Move
 from rapidsim.language.path_events import Trigger
 
-_ROUNDING_S = 1e-9
 _LOOKS_BACK_S = 1e-3
+_ROUNDING_S = 1e-9
 _ARRIVED_MM = 0.01
 """A path that ends this close to its target was not cut short."""
 
@@ -56,6 +57,10 @@ class TaskMotion:
     def move(self, move: Move, triggers: tuple[Trigger, ...] = ()) -> None:
         """Append a move to the path, with the triggers along it."""
         self.put(move, lambda queued: self.triggers.mark(queued, triggers))
+
+    def expect(self, targets: Sequence[RobTarget]) -> None:
+        """Announce the targets of the next moves."""
+        self.resolver.expected.expect(targets)
 
     def current_joints(self) -> JointTarget:
         """Current positions of the axes."""
