@@ -10,7 +10,6 @@ Passing time goes through `scheduler`, so that several tasks can share one clock
 from __future__ import annotations
 
 import math
-from collections import Counter
 from collections.abc import Callable, Iterable, Mapping, Set
 from types import FrameType
 from typing import Protocol
@@ -33,6 +32,7 @@ from rapidsim.controller.cell.pendant import Pendant
 from rapidsim.controller.cell.rendezvous import RendezvousTable
 from rapidsim.controller.cell.sensors import GuidanceSensors, NoSensors
 from rapidsim.controller.cell.signals import SignalTable
+from rapidsim.controller.cell.stimuli import DueStimulus, Stimuli
 from rapidsim.controller.cell.streams import SocketTable
 from rapidsim.controller.cell.system_parameters import SystemParameters
 from rapidsim.controller.cell.text_tables import TextTables
@@ -240,9 +240,7 @@ class Cell:
         self._scheduled: list[_ScheduledChange] = []
         self._last_changes: dict[str, _Change] = {}
         """Last change of each signal, by folded name."""
-        self._true: set[int] = set()
-        self._occurrences: Counter[int] = Counter()
-        """Indices of the stimuli whose condition holds."""
+        self._stimuli = Stimuli(self._io.stimuli)
         sources = [cross.condition for cross in self._io.crosses]
         sources += [stimulus.when for stimulus in self._io.stimuli if stimulus.when]
         self._sources = {name.lower() for source in sources for name in source.signals()}
@@ -418,16 +416,10 @@ class Cell:
 
     def _begin(self) -> None:
         """Apply cross connections and stimuli at time zero."""
-        start = Moment(Instant(0.0))
         for cross in self._io.crosses:
             self.signals.write(cross.result, float(cross.condition.holds(self.signals.read)))
-        for index, stimulus in enumerate(self._io.stimuli):
-            if stimulus.when is None:
-                first_s = stimulus.every_s if stimulus.at_s is None else stimulus.at_s
-                self._repeat(stimulus, first_s or 0.0, 1)
-            elif stimulus.when.holds(self.signals.read):
-                self._true.add(index)
-                self._react(index, start.time_s)
+        for due in self._stimuli.begin(self.signals.read):
+            self._apply_stimulus(due)
         for conveyor in self.conveyors.values():
             conveyor.begin(self._pulse)
 
@@ -437,7 +429,7 @@ class Cell:
         def act(now: Moment) -> None:
             if is_due(now.time_s):
                 pulse = Stimulus(values={name: 1.0}, pulse_s=SWITCH_S)
-                self._apply_stimulus(pulse, now.time_s)
+                self._apply_stimulus(DueStimulus(pulse, now.time_s))
 
         moment = Moment(Instant(time_s))
         self._scheduled.append(_ScheduledChange(moment, act, _folded((name,))))
@@ -466,32 +458,12 @@ class Cell:
 
     def _stimulate(self, name: str, moment: Moment) -> None:
         """Start the stimuli whose condition became true by a change of a signal."""
-        for index, stimulus in enumerate(self._io.stimuli):
-            if stimulus.when is None or name.lower() not in _folded(stimulus.when.signals()):
-                continue
-            if not stimulus.when.holds(self.signals.read):
-                self._true.discard(index)
-            elif index not in self._true:
-                self._true.add(index)
-                self._react(index, moment.time_s)
+        for due in self._stimuli.change(name, moment.time_s, self.signals.read):
+            self._apply_stimulus(due)
 
-    def _react(self, index: int, time_s: float) -> None:
-        """Schedule a stimulus whose condition became true, if it acts this time."""
-        self._occurrences[index] += 1
-        stimulus = self._io.stimuli[index]
-        occurrence = self._occurrences[index]
-        if stimulus.first_that_acts(occurrence) == occurrence:
-            self._apply_stimulus(stimulus, time_s + stimulus.after_s)
-
-    def _repeat(self, stimulus: Stimulus, time_s: float, occurrence: int) -> None:
-        """Schedule the next time that a stimulus of the clock acts, from an occurrence on."""
-        acting = stimulus.first_that_acts(occurrence)
-        if acting is not None:
-            skipped_s = (acting - occurrence) * (stimulus.every_s or 0.0)
-            self._apply_stimulus(stimulus, time_s + skipped_s, acting)
-
-    def _apply_stimulus(self, stimulus: Stimulus, time_s: float, occurrence: int = 1) -> None:
-        """Apply a stimulus at a time, and schedule it again if it repeats."""
+    def _apply_stimulus(self, due: DueStimulus) -> None:
+        """Apply a stimulus when it is due, and schedule it again if it repeats."""
+        stimulus = due.stimulus
 
         def act(now: Moment) -> None:
             before = {name: self.signals.read(name) for name in stimulus.values}
@@ -501,10 +473,10 @@ class Cell:
             for name, value in stimulus.values.items():
                 if value != before[name]:
                     self.set_signal(self._outside_cause, now, name, value)
-            if stimulus.every_s is not None:
-                self._repeat(stimulus, now.time_s + stimulus.every_s, occurrence + 1)
+            if (following := due.following(now.time_s)) is not None:
+                self._apply_stimulus(following)
 
-        moment = Moment(Instant(time_s))
+        moment = Moment(Instant(due.time_s))
         self._scheduled.append(_ScheduledChange(moment, act, _folded(stimulus.values)))
 
 
