@@ -14,6 +14,7 @@ from pathlib import Path
 from rapidsim.files import InputError, input_bytes
 from rapidsim.output_files import whole_file
 from rapidsim.recording.page.viewer_files import ViewerFiles, viewer_files
+from rapidsim.shipped import filled
 
 _PAGE, _NOTICES = "index.html", "THIRD_PARTY_NOTICES.md"
 _MOST_BYTES = 250_000_000
@@ -61,9 +62,4 @@ def _page(title: str, viewer: ViewerFiles, recording: bytes) -> str:
         "glue": viewer.glue,
     }
     template = Path(__file__).with_name("page.html").read_text(encoding="utf-8")
-    begin, *pieces = template.split("{{")
-    filled = [begin]
-    for piece in pieces:
-        name, rest = piece.split("}}", 1)
-        filled += [parts[name], rest]
-    return "".join(filled)
+    return filled(template, parts)

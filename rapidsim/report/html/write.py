@@ -18,7 +18,7 @@ from rapidsim.report.html.elements import text
 from rapidsim.report.html.error_section import error_section
 from rapidsim.report.html.motion_data import motion_data
 from rapidsim.report.run.figures import figures
-from rapidsim.shipped import shipped
+from rapidsim.shipped import filled, shipped
 from rapidsim.simulation.results.move_kinds import DRAWN_KINDS
 from rapidsim.simulation.results.simulation import Simulation
 
@@ -62,13 +62,7 @@ def report_page(simulation: Simulation, findings: Sequence[Diagnostic]) -> str:
         "data": _json(motion_data(simulation)),
         "script": "\n".join(_shipped(name) for name in _SCRIPTS),
     }
-    page = _shipped("page.html")
-    pieces = page.split("{{")
-    filled = [pieces[0]]
-    for piece in pieces[1:]:
-        name, rest = piece.split("}}", 1)
-        filled += [parts[name], rest]
-    return "".join(filled)
+    return filled(_shipped("page.html"), parts)
 
 
 def _colours_of_moves() -> str:
