@@ -27,6 +27,8 @@ WIDTH = 1440
 COVER_WIDTH = 1600
 COVER_TIME_S = 6.2
 """The pen is on the sheet, in the middle of the first figure."""
+MENU_HEIGHT = 31
+"""Rows [pixels] of the viewer's menu, which says on which machine the picture was drawn."""
 REPORT_SIZE = (1280, 2400)
 PLOTS = ("path", "speed", "movej-movel", "arm")
 
@@ -81,9 +83,9 @@ def _recording(name: str, scratch: Path) -> None:
         if shot.complaints:
             raise SystemExit(f"{name}: {'; '.join(shot.complaints)}")
         if number > len(run.times_s):
-            _save(shot.png, ROOT / "docs" / "pentagon.png", COVER_WIDTH)
+            _save(shot.png, ROOT / "docs" / "pentagon.png", COVER_WIDTH, top=MENU_HEIGHT)
         else:
-            _save(shot.png, PICTURES / f"{name}-{number}.png", WIDTH)
+            _save(shot.png, PICTURES / f"{name}-{number}.png", WIDTH, top=MENU_HEIGHT)
 
 
 def _report(scratch: Path) -> None:
@@ -116,7 +118,7 @@ def _letter(scratch: Path) -> None:
     command += ["--robot", "rvm1", "--path", "spline", "--speed", "50", "-q"]
     subprocess.run([*command, "--record", str(recording)], check=True)
     (shot,) = shoot(recording, [6.0], width=COVER_WIDTH)
-    _save(shot.png, ROOT / "docs" / "letter_d.png", WIDTH)
+    _save(shot.png, ROOT / "docs" / "letter_d.png", WIDTH, top=MENU_HEIGHT)
 
 
 def _simulate(run: Run, scratch: Path, *outputs: str) -> None:
@@ -128,13 +130,14 @@ def _simulate(run: Run, scratch: Path, *outputs: str) -> None:
         raise SystemExit(f"{program} ended with {done.returncode}, not {run.exit_code}")
 
 
-def _save(png: bytes, path: Path, width: int) -> None:
-    """Write a picture as few bytes.
+def _save(png: bytes, path: Path, width: int, *, top: int = 0) -> None:
+    """Write a picture, without some rows at its top, as few bytes.
 
     Few colours keep the repository small. A palette that covers all hues keeps thin lines apart,
     and dithering keeps surfaces smooth.
     """
     picture = Image.open(io.BytesIO(png)).convert("RGB")
+    picture = picture.crop((0, top, picture.width, picture.height))
     if picture.width > width:
         height = round(picture.height * width / picture.width)
         picture = picture.resize((width, height), Image.Resampling.LANCZOS)
