@@ -195,7 +195,8 @@ def _along_the_path(
         time_s=float(times[row]),
         move=move_at(row),
     )
-    row = int(np.argmax(off_m))
+    # The first of equal corners, which differ in their last digits only.
+    row = int(np.argmax(np.round(off_m, 9)))
     off_path = OffPath(round(1000.0 * float(off_m[row]), 3), float(times[row]), move_at(row))
     return margin, singularity, off_path if off_path.mm > _ON_PATH_MM else None
 
