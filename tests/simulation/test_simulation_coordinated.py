@@ -234,9 +234,9 @@ def test_on_an_object_held_at_rest_a_robot_moves_as_in_one_that_stands_there() -
     times = np.arange(0.0, held.run.time_s, 0.01)
     both = [one.run.robots[1].trajectory.at(times).joints for one in (held, other)]
     assert held.run.diagnostics == ()
-    assert held.run.time_s == pytest.approx(other.run.time_s, abs=1e-6)
-    # The frame is written in single precision.
-    assert both[0] == pytest.approx(both[1], abs=1e-6)
+    # The frame is written in single precision, and may divide the path into other stages.
+    assert held.run.time_s == pytest.approx(other.run.time_s, abs=1e-5)
+    assert both[0] == pytest.approx(both[1], abs=1e-5)
 
 
 def test_positions_are_told_in_the_object_where_it_is() -> None:
