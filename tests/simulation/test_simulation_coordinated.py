@@ -272,7 +272,7 @@ def test_nobody_works_on_an_object_that_moves_by_itself() -> None:
     )
     assert moving.end == "error"
     assert "is moving, and the robots are not synchronised" in moving.only("M523").violation.message
-    assert moving.moves("T_ROB2") == ()
+    assert not moving.moves("T_ROB2")
 
 
 def test_an_object_that_begins_to_move_while_somebody_works_on_it_is_told() -> None:
