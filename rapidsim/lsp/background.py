@@ -75,9 +75,10 @@ class Background:
         if self._pool is None:
             return
         processes = list((self._pool._processes or {}).values())
-        self._pool.shutdown(wait=False, cancel_futures=True)
         for process in processes:
             process.terminate()
+        # Its thread must have ended, or it may close what Python writes to at its exit.
+        self._pool.shutdown(cancel_futures=True)
         self._pool = None
 
     async def _call(self, function: Callable[..., T], *arguments: object) -> T | None:

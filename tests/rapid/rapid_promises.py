@@ -19,6 +19,7 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
+from tempfile import TemporaryDirectory
 
 from rapidsim.cli.options.answers import answers_from
 from rapidsim.controller.journal.events import ErrorTally, EventKind
@@ -115,20 +116,21 @@ def promised(texts: Iterable[Source]) -> list[Fact]:
 def happened_in_cell(folder: Path) -> list[Fact]:
     """What happens when a folder with a station file is checked and, if it can be, run."""
     answers = folder / "answers.txt"
-    home = folder / "home"
-    asked = RunRequest(
-        paths=(str(folder),),
-        robot=robot(),
-        answers=answers_from(str(answers)) if answers.exists() else None,
-        home=str(home) if home.is_dir() else None,
-        max_time_s=MAX_TIME_S,
-    )
-    try:
-        run = run_job(job(asked)).simulation
-    except ProgramRejectedError as rejected:
-        facts = [_finding(diagnostic) for diagnostic in rejected.diagnostics]
-    else:
-        facts = _run(run, answers=_says_answers(sources(folder)))
+    with TemporaryDirectory() as fresh:
+        home = folder / "home"
+        asked = RunRequest(
+            paths=(str(folder),),
+            robot=robot(),
+            answers=answers_from(str(answers)) if answers.exists() else None,
+            home=str(home) if home.is_dir() else fresh,
+            max_time_s=MAX_TIME_S,
+        )
+        try:
+            run = run_job(job(asked)).simulation
+        except ProgramRejectedError as rejected:
+            facts = [_finding(diagnostic) for diagnostic in rejected.diagnostics]
+        else:
+            facts = _run(run, answers=_says_answers(sources(folder)))
     return _ordered((Path(fact[0]).name, *fact[1:]) for fact in facts)
 
 
