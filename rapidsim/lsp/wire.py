@@ -105,9 +105,11 @@ class RapidServer(LanguageServer):
         self._checking[program] = loop.call_later(_CHECK_DELAY_S, check)
 
     def close(self) -> None:
-        """End the second process."""
+        """End checks under way, whose results nobody waits for, and the second process."""
         for waiting in self._checking.values():
             waiting.cancel()
+        for task in self._tasks:
+            task.cancel()
         self.background.close()
 
     def _publish(self) -> None:
