@@ -55,11 +55,12 @@ def invented(number: int) -> tuple[str, int, str, str]:
     chance = random.Random(number)
     name = NAMES[number % len(NAMES)]
     lines = GOOD.splitlines()
-    places = [k for k, line in enumerate(lines) if name in line and ":=[[" not in line]
+    places = [k for k, line in enumerate(lines) if name in line and ":=" not in line]
     place = chance.choice(places or [k for k, line in enumerate(lines) if name in line])
     at = chance.randrange(1, len(name))
     wrong = chance.choice([name[:at] + name[at + 1 :], name[:at] + "x" + name[at:], f"{name}Safe"])
-    if wrong.lower() in {one.lower() for one in NAMES}:
+    # Some names exist, and `Move` may be any of three.
+    if wrong.lower() in {one.lower() for one in (*NAMES, "z0", "Move")}:
         wrong = f"{name}Safe"
     lines[place] = lines[place].replace(name, wrong, 1)
     return "\n".join(lines) + "\n", place + 1, wrong, name
