@@ -105,5 +105,5 @@ def test_objects_stand_in_the_path_picture_and_what_is_hit_is_red() -> None:
 
 
 def test_a_run_without_objects_has_no_cell() -> None:
-    ran = rapidsim.simulate([PROGRAMS / "pentagon.mod"])
+    ran = rapidsim.simulate([PROGRAMS / "circle.mod"])
     assert cell_of(sample_run(ran, ran.robots[0]), LIGHT).bodies == ()
