@@ -12,7 +12,7 @@ from rapidsim.frames.transform import Array
 from rapidsim.motion.geometry.segments import Speed
 from rapidsim.motion.model import MotionModel, Smoothing
 from rapidsim.motion.timing.planning import plan
-from rapidsim.motion.timing.smoothed_speed_limits import held_speeds
+from rapidsim.motion.timing.smoothed_speed_limits import deciding_points, held_speeds
 
 WINDOW_S = 0.08
 PLACES = np.linspace(0.0, 0.6, 1201)
@@ -40,6 +40,18 @@ def test_the_smoothed_motion_keeps_the_largest_speeds(knots: list[float], averag
     assert (held <= speeds).all()
     place, speed = smoothed(held, averages)
     assert (speed <= np.interp(place, PLACES, speeds) * 1.01).all()
+
+
+@given(knots=st.lists(st.floats(0.05, 1.0), min_size=2, max_size=9))
+def test_the_deciding_point_is_slow_where_the_held_speed_is_low(knots: list[float]) -> None:
+    speeds = np.interp(PLACES, np.linspace(0.0, 0.6, len(knots)), knots)
+    held = held_speeds(PLACES, speeds, EVERYWHERE, WINDOW_S)
+    deciding = deciding_points(PLACES, speeds, WINDOW_S)
+    # A line changes by its speed over the window at most, which is shifted by a twelfth of that.
+    near_m = (0.5 + 1.0 / 12.0) * WINDOW_S * speeds[deciding] + 2.0 * PLACES[1]
+    assert (np.abs(PLACES[deciding] - PLACES) <= near_m).all()
+    assert (deciding[held >= speeds] == np.flatnonzero(held >= speeds)).all()
+    assert (0.4 * speeds[deciding] <= held).all()
 
 
 def test_a_dip_is_held_as_long_as_the_window_and_no_longer() -> None:

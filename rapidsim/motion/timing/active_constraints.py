@@ -20,7 +20,7 @@ from rapidsim.motion.kinematics.arm import Mask
 from rapidsim.motion.path.path import Path
 from rapidsim.motion.timing.constraints import Limiter, Quantity
 from rapidsim.motion.timing.problem import HELD_BEND, Problem
-from rapidsim.motion.timing.smoothed_speed_limits import lowest_over, spans_around
+from rapidsim.motion.timing.smoothed_speed_limits import deciding_points
 from rapidsim.motion.timing.stages import fastest, rows_along, weights_of
 from rapidsim.motion.timing.time_optimal import StageMotion
 from rapidsim.motion.timing.time_scaling import TimeScaling
@@ -105,7 +105,8 @@ def _of_caps(problem: Problem, motion: StageMotion, capped: Mask) -> Index:
     held = lowered & ~cycle
     source = np.arange(len(own))
     if held.any():
-        source[held] = _slowest_near(motion, own, problem.path.window)[held]
+        middle = motion.stages.places[:, 1]
+        source[held] = deciding_points(middle, own, problem.path.window)[held]
     number = np.zeros(len(own), dtype=np.int64)
     evaluated = np.unique(source[capped])
     number[evaluated] = _slowest_rows(problem, motion, evaluated)
@@ -118,16 +119,6 @@ def _of_caps(problem: Problem, motion: StageMotion, capped: Mask) -> Index:
     caps = np.minimum(motion.ramp_caps[:-1], motion.ramp_caps[1:])
     number[caps < (1.0 - _EQUAL) * motion.by_speed] = _RAMP
     return number
-
-
-def _slowest_near(motion: StageMotion, speeds: Array, window: float) -> Index:
-    """Return the slowest (m,) of the stages that each must be slow for, by maximum speeds (m,)."""
-    middle = motion.stages.places[:, 1]
-    order = np.argsort(speeds, kind="stable")
-    rank = np.empty(len(order))
-    rank[order] = np.arange(len(order))
-    near = spans_around(middle, middle, speeds, window)
-    return order[lowest_over(*near, rank, len(order)).astype(np.int64)]
 
 
 def _slowest_rows(problem: Problem, motion: StageMotion, some: Index) -> Index:

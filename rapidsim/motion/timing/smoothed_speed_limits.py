@@ -17,6 +17,8 @@ does along a joint move, a level line would cost time, and the line that follows
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 import numpy as np
 
 from rapidsim.frames.transform import Array
@@ -49,19 +51,43 @@ def held_speeds(places: Array, speeds: Array, needed: Mask, window: float) -> Ar
     at = np.flatnonzero(needed)
     # Where two stages meet, both have a point.
     at = at[(np.diff(places[at], prepend=-1.0) > 0.0) | (np.diff(speeds[at], prepend=-1.0) != 0.0)]
-    middle, most = places[at], speeds[at]
-    first, after = spans_around(places, middle, most, window)
-    slopes = _slopes(places, speeds, at, (first, after - 1)).clip(-_STEEP / window, _STEEP / window)
-    slopes[np.abs(slopes) < _LEVEL / window] = 0.0
-    shifted = middle + slopes * most * window**2 / 12.0
-    first, after = spans_around(places, shifted, most, window)
+    slopes, first, after = _lines(places, speeds, at, window)
     level = slopes == 0.0
-    held = lowest_over(first[level], after[level], most[level], len(places))
+    held = lowest_over(first[level], after[level], speeds[at[level]], len(places))
     if not level.all():
         lined = (one[~level] for one in (slopes, at, first, after))
         kernel = jit_function(smoothed_speed_loops, "keep_below_lines", len(places))
         (kernel or _keep_below_lines)(held, places, speeds, *lined)
     return np.minimum(held, speeds)
+
+
+def deciding_points(places: Array, speeds: Array, window: float) -> Index:
+    """Return the point (k,) whose line bounds the command most at each point (k,)."""
+    every = np.arange(len(places))
+    slopes, first, after = _lines(places, speeds, every, window)
+    lowest, deciding = speeds.copy(), every.copy()
+    for line, other in _pairs(first, after):
+        values = speeds[line] + slopes[line] * (places[other] - places[line])
+        order = np.lexsort((values, other))
+        other, values, line = other[order], values[order], line[order]
+        least = np.diff(other, prepend=-1) > 0
+        other, values, line = other[least], values[least], line[least]
+        lower = values < lowest[other]
+        lowest[other[lower]], deciding[other[lower]] = values[lower], line[lower]
+    return deciding
+
+
+def _lines(places: Array, speeds: Array, at: Index, window: float) -> tuple[Array, Index, Index]:
+    """Return slopes (j,) [1/s] of lines through points (j,), and the spans in which they hold.
+
+    A span is its first point and the one after its last.
+    """
+    middle, most = places[at], speeds[at]
+    first, after = spans_around(places, middle, most, window)
+    slopes = _slopes(places, speeds, at, (first, after - 1)).clip(-_STEEP / window, _STEEP / window)
+    slopes[np.abs(slopes) < _LEVEL / window] = 0.0
+    shifted = middle + slopes * most * window**2 / 12.0
+    return slopes, *spans_around(places, shifted, most, window)
 
 
 def spans_around(places: Array, middle: Array, speeds: Array, window: float) -> tuple[Index, Index]:
@@ -104,15 +130,21 @@ def _keep_below_lines(
     after: Index,
 ) -> None:
     """Do what `smoothed_speed_loops.keep_below_lines` does, by columns."""
+    for line, other in _pairs(first, after):
+        own = at[line]
+        np.minimum.at(bounded, other, speeds[own] + slopes[line] * (places[other] - places[own]))
+
+
+def _pairs(first: Index, after: Index) -> Iterator[tuple[Index, Index]]:
+    """Yield, in batches, pairs of the number of a span and a point in it, for spans (j,)."""
     size = after - first
     ends = np.cumsum(size)
     cuts = np.searchsorted(ends, np.arange(_PAIRS, ends[-1], _PAIRS))
-    for part in np.split(np.arange(len(at)), cuts):
+    for part in np.split(np.arange(len(first)), cuts):
         count = size[part]
         line = np.repeat(part, count)
-        own, other = at[line], np.arange(len(line))
-        other += np.repeat(first[part] - np.cumsum(count) + count, count)
-        np.minimum.at(bounded, other, speeds[own] + slopes[line] * (places[other] - places[own]))
+        other = np.arange(len(line)) + np.repeat(first[part] - np.cumsum(count) + count, count)
+        yield line, other
 
 
 def lowest_over(first: Index, after: Index, values: Array, count: int) -> Array:
