@@ -20,6 +20,8 @@ CYCLE_S: Final = 0.004
 """The controller's cycle [s]."""
 BRAKING_SHARE: Final = 0.9
 """Share of its acceleration that an axis uses to brake for a goal or a limit."""
+_LEAST_GAIN = 1e-9
+"""Gain [1/s] below which nothing moves; its square is a divisor."""
 
 
 @value_class(frozen=True, slots=True, eq=False)
@@ -120,7 +122,7 @@ class JointMotion:
         The two laws meet where speed and slope are equal.
         """
         brakes = BRAKING_SHARE * self.axes.max_acceleration
-        gain = min(gain, 0.5 / CYCLE_S)
+        gain = min(max(gain, _LEAST_GAIN), 0.5 / CYCLE_S)
         far = np.sqrt(2.0 * brakes * np.maximum(np.abs(remaining) - brakes / (2.0 * gain**2), 0.0))
         near = np.abs(remaining) <= brakes / gain**2
         return np.sign(remaining) * np.where(near, gain * np.abs(remaining), far)
