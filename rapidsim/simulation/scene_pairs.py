@@ -71,12 +71,8 @@ class ScenePairs:
             return
         if frozenset({a, b}) in self._grips:
             return
-        for part, fixed in ((a, fixed_b), (b, fixed_a)):
-            if fixed is not None and fixed[0] in self._holders.get(part, ()):
-                # Fingers close on the part that they carry, and a tool is bolted to the wrist.
-                near = 1 if part in self._tools else 0
-                if fixed[1] >= len(self._cell.runs[fixed[0]].robot.joints) - near:
-                    return
+        if self._may_grip(a, fixed_b) or self._may_grip(b, fixed_a):
+            return
         found: list[Pair] = []
         for from_s, until_s, frame_a, frame_b in self._intervals(a, b):
             if frame_a == frame_b or (self._is_still(frame_a) and self._is_still(frame_b)):
@@ -95,6 +91,16 @@ class ScenePairs:
             else:
                 found.append(Pair(first, second, robots[0], False, from_s, until_s))
         yield from found
+
+    def _may_grip(self, part: int, fixed: tuple[int, int] | None) -> bool:
+        """Whether a body that belongs to a link of a robot touches a part that the robot holds.
+
+        Fingers close on the part that they carry, and a tool is bolted to the wrist.
+        """
+        if fixed is None or fixed[0] not in self._holders.get(part, ()):
+            return False
+        near = 1 if part in self._tools else 0
+        return fixed[1] >= len(self._cell.runs[fixed[0]].robot.joints) - near
 
     def _intervals(self, a: int, b: int) -> Iterator[tuple[float, float, SceneFrame, SceneFrame]]:
         """Yield the intervals [s] in which two bodies have the same carriers, with their frames."""

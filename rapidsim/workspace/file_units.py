@@ -190,27 +190,45 @@ class FileUnits:
         end = stop + len(change.text) - (change.end - change.start)
         if not self._is_apart(piece, start, end):
             return None
+        edited = None if item is None else self._parse_alone(piece, item, address, (start, end))
+        return edited or self._parse_around(piece)
+
+    def _parse_alone(
+        self, piece: int, item: tree.Routine | tree.Data, address: int, span: tuple[int, int]
+    ) -> Edited | None:
+        """Parse a changed piece, the only item of which is known, without its neighbours.
+
+        Args:
+            piece: Its number.
+            item: Its item before the change.
+            address: Where the change begins.
+            span: Start and end of the piece.
+
+        Returns:
+            None if the change or errors near by may concern more than a body or a value.
+        """
         module = self._items[piece][0]
         near = [one for one in self._faults if one.first <= piece <= one.last]
         own = [one for one in near if one.is_in(item)]
         before = [one for one in near if one not in own]
         behind = [one for one in self._faults if piece < one.first <= piece + _REACH]
-        edited: Edited | None = None
         if before:
-            pass
-        elif isinstance(item, tree.Data):
+            return None
+        if isinstance(item, tree.Data):
             value = item.value
             is_plain = not (own or behind or piece in self._comments)
-            if is_plain and value is not None and address >= value.start:
-                data = parse_data(self.source, start, end, item, module)
-                edited = None if data is None else EditedData(item, module, data)
-        elif isinstance(item, tree.RoutineNode) and address >= item.header_end:
-            parsed = parse_routine(self.source, start, end, item, module)
-            # A correction at the end of a routine looks a few tokens further.
-            if parsed is not None and not ((own or parsed.diagnostics) and behind):
-                self._take_body(piece, parsed, own)
-                edited = EditedRoutine(item, module, parsed.routine)
-        return edited or self._parse_around(piece)
+            if not is_plain or value is None or address < value.start:
+                return None
+            data = parse_data(self.source, *span, item, module)
+            return None if data is None else EditedData(item, module, data)
+        if address < item.header_end:
+            return None
+        parsed = parse_routine(self.source, *span, item, module)
+        # A correction at the end of a routine looks a few tokens further.
+        if parsed is None or ((own or parsed.diagnostics) and behind):
+            return None
+        self._take_body(piece, parsed, own)
+        return EditedRoutine(item, module, parsed.routine)
 
     def _take_body(self, piece: int, parsed: ParsedRoutine, own: Sequence[_Fault]) -> None:
         """Replace comments and errors of a piece with those of its new routine."""
