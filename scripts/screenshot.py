@@ -9,7 +9,6 @@ from __future__ import annotations
 
 import argparse
 import shutil
-import socket
 import sys
 import time
 from collections.abc import Iterator, Mapping, Sequence
@@ -20,6 +19,8 @@ from pathlib import Path
 import numpy as np
 import numpy.typing as npt
 from rerun.experimental import ViewerClient
+
+from rapidsim.recording.page.viewer_files import free_port
 
 TIMELINE = "sim_time"
 LOAD_TIMEOUT_S = 120.0
@@ -62,7 +63,7 @@ def viewer(recording: Path) -> Iterator[ViewerClient]:
     if found is None:
         raise FileNotFoundError("there is no `rerun` beside this Python and none on PATH")
     with ViewerClient.spawn(
-        headless=True, port=_free_port(), hide_welcome_screen=True, executable_path=found
+        headless=True, port=free_port(), hide_welcome_screen=True, executable_path=found
     ) as client:
         client.open(str(recording.resolve()))
         deadline = time.monotonic() + LOAD_TIMEOUT_S
@@ -117,13 +118,6 @@ def _root_from(
         frame, parent_from_child = edges[frame]
         root_from_frame = parent_from_child @ root_from_frame
     return root_from_frame
-
-
-def _free_port() -> int:
-    with socket.socket() as probe:
-        probe.bind(("127.0.0.1", 0))
-        port: int = probe.getsockname()[1]
-        return port
 
 
 def main() -> int:

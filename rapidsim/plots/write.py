@@ -44,6 +44,7 @@ PICTURES: Mapping[str, Callable[[SampledRun, Theme], Figure | None]] = MappingPr
 )
 """Pictures by file name; a picture without content returns no figure."""
 THEMES = (LIGHT, DARK)
+_NOTHING_MOVED = "nothing moved: there is no path to draw pictures of"
 
 
 def write_plots(simulation: Simulation, folder: str | Path) -> tuple[Path, ...]:
@@ -60,7 +61,7 @@ def write_plots(simulation: Simulation, folder: str | Path) -> tuple[Path, ...]:
         InputError: If the files cannot be written, or nothing moved.
     """
     if not any(one.moves for one in simulation.robots):
-        raise InputError("nothing moved: there is no path to draw pictures of")
+        raise InputError(_NOTHING_MOVED)
     written: list[Path] = []
     for number, one in enumerate(simulation.robots):
         if one.moves:
@@ -89,7 +90,7 @@ def draw(simulation: Simulation, robot_run: RobotRun, name: str, *, dark: bool =
     if name not in PICTURES:
         raise InputError(f"there is no picture `{name}`", did_you_mean(name, PICTURES))
     if not robot_run.moves:
-        raise InputError("nothing moved: there is no path to draw pictures of")
+        raise InputError(_NOTHING_MOVED)
     theme = DARK if dark else LIGHT
     with themed(theme):
         figure = PICTURES[name](sample_run(simulation, robot_run), theme)

@@ -58,7 +58,7 @@ def viewer_files() -> ViewerFiles:
 @contextmanager
 def _served(folder: Path) -> Iterator[str]:
     """Serve the viewer's files while the block runs; yields the address."""
-    port = _free_port()
+    port = free_port()
     name = "rerun.exe" if sys.platform == "win32" else "rerun"
     arguments = ("--serve-web", "--bind", _HOST, "--port", "0", "--web-viewer-port", str(port))
     server = subprocess.Popen(
@@ -93,7 +93,8 @@ def _fetched(url: str) -> bytes:
         time.sleep(_STEP_S)
 
 
-def _free_port() -> int:
+def free_port() -> int:
+    """Return a port of loopback that nobody uses now."""
     with socket.socket() as probe:
         probe.bind((_HOST, 0))
         port: int = probe.getsockname()[1]

@@ -35,9 +35,10 @@ def write_page(recording: Path, folder: Path) -> Path:
         InputError: If the recording is too large or unreadable, the viewer does not serve its
             files, or nothing can be written there.
     """
-    if recording.stat().st_size > _MOST_BYTES:
+    size = recording.stat().st_size
+    if size > _MOST_BYTES:
         raise InputError(
-            f"{recording} has {recording.stat().st_size / 1e6:.0f} MB; browsers open pages with at "
+            f"{recording} has {size / 1e6:.0f} MB; browsers open pages with at "
             f"most {_MOST_BYTES / 1e6:.0f} MB",
             "record with a larger --dt",
         )
