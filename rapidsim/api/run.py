@@ -24,6 +24,7 @@ from rapidsim.api.views import (
     signals_by_name,
 )
 from rapidsim.controller.journal.events import Event
+from rapidsim.controller.moves.executed_move import ExecutedMove
 from rapidsim.diagnostics import Diagnostic, Severity
 from rapidsim.export.events import write_events
 from rapidsim.export.table import DEFAULT_DT
@@ -39,6 +40,7 @@ from rapidsim.report.run.json_report import RunFiles, run_json
 from rapidsim.report.run.records import WaitRecord, wait_records
 from rapidsim.simulation.result_builder import FinishedRun
 from rapidsim.simulation.results.simulation import End, RobotRun, Simulation
+from rapidsim.simulation.results.time_shares import argument
 from rapidsim.simulation.results.verdict import run_verdict
 
 if TYPE_CHECKING:
@@ -228,15 +230,11 @@ class Run:
 
     def _repr_html_(self) -> str:
         """Card for notebooks: how it ended, its figures, path from above, the longest moves."""
-        longest = sorted(self.moves, key=lambda move: move.start_s - move.end_s)[:_SHOWN_MOVES]
-        rows = [
-            (
-                f"{move.end_s - move.start_s:.3f} s",
-                f"{move.instruction} {move.to}",
-                f"{move.file}:{move.line}",
-            )
-            for move in longest
-        ]
+        moves = self.simulation.moves
+        # Records of all moves take much longer than their columns.
+        lasts_s = moves.columns.end_s - moves.columns.start_s
+        longest = np.argsort(-lasts_s, kind="stable")[:_SHOWN_MOVES].tolist()
+        rows = [(f"{lasts_s[at]:.3f} s", *_instruction_and_place(moves[at])) for at in longest]
         figures = {
             "time": f"{self.time_s:.3f} s",
             "in motion": f"{self.motion_s:.3f} s",
@@ -257,6 +255,11 @@ class Run:
         """One line."""
         name = self.simulation.title[:50] or "?"
         return f"<run of {name}: {self.end} after {self.time_s:.3f} s, {len(self.moves)} moves>"
+
+
+def _instruction_and_place(move: ExecutedMove) -> tuple[str, str]:
+    target, span = argument(move.place, "topoint", "tojointpos"), move.place.span
+    return f"{move.move.instruction} {target}", f"{span.file}:{span.line}"
 
 
 def _path_from_above(robot_run: RobotRun) -> str:
