@@ -194,7 +194,7 @@ def arm_touches(robot: Robot, count: int, seed: int) -> Tally:
     shapes = link_shapes(robot)
     links = shapes.links
     size = rng.uniform(0.1, 0.5, 3)
-    bodies = Bodies([*(one.shape.parts for one in links), shape.box(size).parts])
+    bodies = Bodies([*(one.shape for one in links), shape.box(size)])
     of_link = {one.number: k for k, one in enumerate(links)}
     frames = robot.kinematics.link_frames(random_postures(robot, count, seed))
     reach = float(np.linalg.norm(frames.translation, axis=2).max())

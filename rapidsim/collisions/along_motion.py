@@ -13,10 +13,11 @@ from dataclasses import replace
 
 import numpy as np
 
-from rapidsim.collisions.body_distance import Bodies
+from rapidsim.collisions.body_distance import Bodies, Gaps
 from rapidsim.collisions.contact import FARTHEST_M, Clearance, CollisionReport, Contact
-from rapidsim.collisions.convex import Index
-from rapidsim.collisions.intervals import Mask, PairIntervals, unseen
+from rapidsim.collisions.convex import Index, Mask
+from rapidsim.collisions.intervals import PairIntervals, unseen
+from rapidsim.collisions.nearest_parts import CLOSE_M
 from rapidsim.collisions.overlap import TOUCH_M
 from rapidsim.collisions.scene import SHORTEST_S, STEP_S, Scene
 from rapidsim.collisions.shape import is_inside
@@ -24,9 +25,12 @@ from rapidsim.collisions.travel import LONGEST, Travel, straight
 from rapidsim.frames.transform import Array, Transform
 from rapidsim.values import value_class
 
-_NEARER_M = 5e-4
-_NEARER = 0.02
+_NEARER_M, _NEARER = 5e-4, 0.02
 """Tolerance of a clearance: the larger of a length [m] and a share of it."""
+_OF_SURFACES = 2.5
+"""Factor of the tolerance for surfaces of triangles, whose gaps cost more."""
+_OF_TRAVEL = 0.1
+"""Tolerance of gaps of surfaces, as a share of the travel in an interval."""
 _BLOCK = 2000
 """Number of instants in the first pass of a block."""
 _AT_ONCE = 100_000
@@ -107,11 +111,6 @@ class _Best:
     pair: int
     point: Array
 
-    @property
-    def wanted(self) -> float:
-        """Gap [m]; intervals that are no closer need not be checked."""
-        return self.gap - max(_NEARER_M, _NEARER * self.gap)
-
 
 @value_class(slots=True)
 class _Touch:
@@ -182,7 +181,9 @@ class _Search:
                 solid = self._scene.bodies[other].shape.solid
                 if solid is None:
                     continue
-                if is_inside(solid, poses.seen(one, other).apply(centre[one])[0]):
+                place = poses.seen(one, other).apply(centre[one])[0]
+                away = float(np.linalg.norm(place - centre[other]))
+                if away < self._bodies.bounds.bound[other] and is_inside(solid, place):
                     move = int(poses.moves[0, pair.owner])
                     world = poses.of(one).apply(centre[one])[0]
                     self._touch.setdefault((number, move), _Touch(0.0, world))
@@ -307,12 +308,11 @@ class _Search:
         limit = np.concatenate([enough, enough])[todo]
         key = pair * len(self._poses.times) + at
         distinct, firsts, back = np.unique(key, return_index=True, return_inverse=True)
-        widest = np.zeros(len(distinct))
+        widest, longest = np.zeros((2, len(distinct)))
         np.maximum.at(widest, back, limit)
+        np.maximum.at(longest, back, np.concatenate([way, way])[todo])
         pair, at = pair[firsts], at[firsts]
-        gaps = self._bodies.gaps(
-            self._first[pair], self._second[pair], self._seen(pair, at), widest
-        )
+        gaps = self._gaps(pair, at, widest, longest)
         self._note(pair, at, gaps.distances_found, gaps.point)
         touching = np.isfinite(gaps.distances_found) & (gaps.distances_found <= 0.0)
         known = np.where(touching, gaps.distances_found, gaps.least)
@@ -321,6 +321,17 @@ class _Search:
         begin, end = np.split(values, 2)
         yes = np.ones(len(some.pair), dtype=np.bool_)
         return replace(some, gap_start=begin, gap_end=end, seen_start=yes, seen_end=yes)
+
+    def _gaps(self, pair: Index, at: Index, enough: Array, travel: Array) -> Gaps:
+        """Return the gaps of pairs (k,) at instants (k,).
+
+        Gaps of surfaces of triangles cost far more the more accurate they are. An error of a small
+        share of the travel in an interval hardly matters for the interval.
+        """
+        first, second = self._first[pair], self._second[pair]
+        surfaces = self._bodies.has_surfaces(first, second)
+        close = np.where(surfaces, np.maximum(_OF_TRAVEL * travel, CLOSE_M), CLOSE_M)
+        return self._bodies.gaps(first, second, self._seen(pair, at), enough, close)
 
     def _note(self, pair: Index, at: Index, gap: Array, point: Array) -> None:
         """Record contacts and nearest points."""
@@ -335,13 +346,16 @@ class _Search:
                 place = poses.of(int(self._second[pair[k]]))[int(at[k])].apply(point[k])
                 self._touch[int(pair[k]), int(move[k])] = _Touch(float(times[k]), place)
         nearer = ~self._touch_only[pair] & (gap < self._nearest[owner, move])
+        surfaces = self._bodies.has_surfaces(self._first[pair], self._second[pair])
         news = np.flatnonzero(nearer & self._travel.stirs(pair, owner, move))
         for k in news[_first_of(gap[news], owner[news], move[news])].tolist():
             place = poses.of(int(self._second[pair[k]]))[int(at[k])].apply(point[k])
-            best = _Best(max(float(gap[k]), 0.0), float(times[k]), int(pair[k]), place)
+            least = max(float(gap[k]), 0.0)
+            best = _Best(least, float(times[k]), int(pair[k]), place)
             self._best[int(owner[k]), int(move[k])] = best
             self._nearest[owner[k], move[k]] = gap[k]
-            self._wanted[owner[k], move[k]] = best.wanted
+            tolerance = max(_NEARER_M, _NEARER * least) * (_OF_SURFACES if surfaces[k] else 1.0)
+            self._wanted[owner[k], move[k]] = least - tolerance
 
     def _halves(self, some: PairIntervals, least: Array) -> tuple[PairIntervals, ...]:
         """Halve intervals; the gap in the middle is at least `least`."""

@@ -1,9 +1,11 @@
 """Cheap lower bounds of distances between bodies, from their bounding spheres and boxes.
 
-Each body has a box along the axes of its frame, and a sphere around the centre of the box.
+Each body has a box, along axes of its own, and a sphere around the centre of the box.
 """
 
 from __future__ import annotations
+
+from collections.abc import Sequence
 
 import numpy as np
 
@@ -14,35 +16,85 @@ from rapidsim.frames.transform import Array, Transform
 class Bounds:
     """Bounding boxes and spheres, each in the frame of its body."""
 
-    def __init__(self, low: Array, high: Array, bound: Array) -> None:
-        """Store boxes by their corners (n, 3) [m], and radii (n,) [m] of spheres."""
-        self.low, self.high = low, high
-        self.centre: Array = 0.5 * (low + high)
-        self._half: Array = 0.5 * (high - low)
-        self.bound: Array = np.minimum(bound, np.linalg.norm(self._half, axis=1))
+    def __init__(self, centre: Array, half: Array, bound: Array, axes: Array | None = None) -> None:
+        """Store boxes and spheres.
 
-    def gaps(self, first: Index, second: Index, second_from_first: Transform) -> Array:
+        Args:
+            centre: Centres (n, 3) [m] of both.
+            half: Half the edges (n, 3) [m] of the boxes.
+            bound: Radii (n,) [m] of the spheres.
+            axes: Rotations body_from_box (n, 3, 3); None for boxes along the axes of the bodies.
+        """
+        self.centre, self.half, self.axes = centre, half, axes
+        self.bound: Array = np.minimum(bound, np.linalg.norm(half, axis=1))
+
+    def rows(self, at: Index) -> Bounds:
+        """Return the bounds of some bodies."""
+        axes = None if self.axes is None else self.axes[at]
+        return Bounds(self.centre[at], self.half[at], self.bound[at], axes)
+
+    def from_points(self, at: Index, points: Array) -> Array:
+        """Return the distances (k,) [m] of boxes (k,) from points (k, 3) in their frames."""
+        local = points - self.centre[at]
+        if self.axes is not None:
+            local = np.einsum("kji,kj->ki", self.axes[at], local)
+        beyond = np.maximum(np.abs(local) - self.half[at], 0.0)
+        distance: Array = np.sqrt(np.einsum("ki,ki->k", beyond, beyond))
+        return distance
+
+    def gaps(
+        self,
+        first: Index,
+        second: Index,
+        second_from_first: Transform,
+        enough: Array | None = None,
+    ) -> Array:
         """Return lower bounds of the distances [m] of pairs (k,); negative if undecided.
 
         Args:
             first: Indices of the first bodies (k,).
             second: Indices of the second bodies (k,).
             second_from_first: Poses of the first bodies (k,).
+            enough: Bounds [m] above which a smaller one than the largest known suffices; None if it
+                never does.
         """
-        turn = second_from_first.rotation
-        half_a, half_b = self._half[first], self._half[second]
-        here = np.einsum("kij,kj->ki", turn, self.centre[first]) + second_from_first.translation
-        here -= self.centre[second]
+        here = np.einsum("kij,kj->ki", second_from_first.rotation, self.centre[first])
+        here += second_from_first.translation - self.centre[second]
         gap: Array = np.sqrt(np.einsum("ki,ki->k", here, here))
         gap -= self.bound[first] + self.bound[second]
-        there = np.einsum("kij,ki->kj", turn, here)
+        if enough is None:
+            return self._gaps_of_boxes(first, second, second_from_first.rotation, here, gap)
+        rows = np.flatnonzero(gap < enough)
+        gap[rows] = self._gaps_of_boxes(
+            first[rows], second[rows], second_from_first.rotation[rows], here[rows], gap[rows]
+        )
+        return gap
+
+    def _gaps_of_boxes(
+        self, first: Index, second: Index, turn: Array, between: Array, gap: Array
+    ) -> Array:
+        """Return the bounds (k,) [m] of boxes, or those of their spheres if they are larger.
+
+        Args:
+            first: Indices of the first bodies (k,).
+            second: Indices of the second bodies (k,).
+            turn: Rotations second_from_first (k, 3, 3).
+            between: Centres (k, 3) [m] of the first, from those of the second.
+            gap: Bounds (k,) [m] of the spheres.
+        """
+        half_a, half_b = self.half[first], self.half[second]
+        if self.axes is not None:
+            back = np.swapaxes(self.axes[second], 1, 2)
+            turn = back @ turn @ self.axes[first]
+            between = np.einsum("kij,kj->ki", back, between)
+        there = np.einsum("kij,ki->kj", turn, between)
         width = np.abs(turn)
         of_a, of_b = (
             np.einsum("kij,kj->ki", width, half_a),
             np.einsum("kij,ki->kj", width, half_b),
         )
         for apart, box, other, ball in (
-            (here, half_b, of_a, self.bound[first]),
+            (between, half_b, of_a, self.bound[first]),
             (there, half_a, of_b, self.bound[second]),
         ):
             outside = np.abs(apart) - box
@@ -52,3 +104,57 @@ class Bounds:
             length = np.sqrt(np.einsum("ki,ki->k", to_box, to_box))
             np.maximum(gap, length, out=gap, where=length > 0.0)
         return gap
+
+
+def around(corners: Array, starts: Index, *, turned: bool) -> Bounds:
+    """Return bounds of groups of consecutive parts.
+
+    Args:
+        corners: Corners (n, p, 3) [m] of all parts.
+        starts: First part (g,) of each group.
+        turned: Whether boxes are turned along the principal axes of all corners if that makes their
+            surface smaller: the box of a piece of a surface is thin.
+    """
+    size = np.diff(starts, append=len(corners))
+    low = np.minimum.reduceat(corners.min(axis=1), starts, axis=0)
+    high = np.maximum.reduceat(corners.max(axis=1), starts, axis=0)
+    centre, half, axes = 0.5 * (low + high), 0.5 * (high - low), None
+    if turned:
+        apart = corners - np.repeat(centre, size, axis=0)[:, None]
+        mean = np.add.reduceat(apart.mean(axis=1), starts, axis=0) / size[:, None]
+        from_mean = apart - np.repeat(mean, size, axis=0)[:, None]
+        spread = np.add.reduceat(np.einsum("nki,nkj->nij", from_mean, from_mean), starts, axis=0)
+        _, axes = np.linalg.eigh(spread)
+        along = np.einsum("nki,nij->nkj", apart, np.repeat(axes, size, axis=0))
+        low = np.minimum.reduceat(along.min(axis=1), starts, axis=0)
+        high = np.maximum.reduceat(along.max(axis=1), starts, axis=0)
+        better = _surface(0.5 * (high - low)) < _surface(half)
+        axes[~better] = np.eye(3)
+        half = np.where(better[:, None], 0.5 * (high - low), half)
+        middle = np.einsum("gij,gj->gi", axes, 0.5 * (low + high))
+        centre = np.where(better[:, None], centre + middle, centre)
+    far = np.linalg.norm(corners - np.repeat(centre, size, axis=0)[:, None], axis=2).max(axis=1)
+    return Bounds(centre, half, np.maximum.reduceat(far, starts), axes)
+
+
+def _surface(half: Array) -> Array:
+    """Return numbers (k,) proportional to the surfaces of boxes with half edges (k, 3)."""
+    surface: Array = (half * np.roll(half, 1, axis=1)).sum(axis=1)
+    return surface
+
+
+def joined(levels: Sequence[Bounds]) -> Bounds:
+    """Return bounds one after the other."""
+    axes = None
+    if any(one.axes is not None for one in levels):
+        own = [
+            np.broadcast_to(np.eye(3), (len(one.bound), 3, 3)) if one.axes is None else one.axes
+            for one in levels
+        ]
+        axes = np.concatenate(own)
+    return Bounds(
+        np.concatenate([one.centre for one in levels]),
+        np.concatenate([one.half for one in levels]),
+        np.concatenate([one.bound for one in levels]),
+        axes,
+    )

@@ -2,7 +2,8 @@
 
 A part is the hull of some points, or a disc swept along an axis, plus a rounding radius; so a
 sphere is one point, a capsule two, a box eight. Faces are not needed: the only query is for the
-farthest point in a direction (support mapping).
+farthest point in a direction (support mapping). The triangles of surfaces, of which a casting has
+tens of thousands, are parts as well; they are stored in one array.
 """
 
 from __future__ import annotations
@@ -18,6 +19,9 @@ from rapidsim.frames.transform import Array
 from rapidsim.values import value_class
 
 Index = npt.NDArray[np.int64]
+Mask = npt.NDArray[np.bool_]
+NO_TRIANGLES: Array = np.zeros((0, 3, 3))
+_BOX = np.array([[x, y, z] for x in (-1.0, 1.0) for y in (-1.0, 1.0) for z in (-1.0, 1.0)])
 _FEW = 8
 """Number of points up to which parts are processed in one array, others one by one."""
 
@@ -51,22 +55,30 @@ class ConvexPart:
 class ConvexParts:
     """Many parts, queried together for their farthest points."""
 
-    def __init__(self, parts: Sequence[ConvexPart]) -> None:
-        """Store the parts in arrays."""
-        self.count = len(parts)
-        self.radius = np.array([part.radius for part in parts])
+    def __init__(self, parts: Sequence[ConvexPart], triangles: Array = NO_TRIANGLES) -> None:
+        """Store parts in arrays, followed by triangles (t, 3, 3) [m]."""
+        count, more = len(parts), len(triangles)
+        self.triangles = triangles
+        self.first_triangle = count
+        """Number of the part that is the first triangle."""
+        self.radius = np.array([part.radius for part in parts] + more * [0.0])
         low = np.array([part.points.min(axis=0) for part in parts]).reshape(-1, 3)
+        low = np.concatenate([low, triangles.min(axis=1)])
         high = np.array([part.points.max(axis=0) for part in parts]).reshape(-1, 3)
+        high = np.concatenate([high, triangles.max(axis=1)])
         self.centre: Array = 0.5 * (low + high)
-        self.bound = np.array([part.bound for part in parts])
-        self._normals = np.concatenate([np.zeros((0, 3)), *(part.normals for part in parts)])
-        counts = np.array([len(part.normals) for part in parts], dtype=np.int64)
-        self._normal_ends: Index = np.cumsum(counts)
-        self._normal_counts = counts
-        self._disc = np.array([part.disc for part in parts])
+        apart = triangles - self.centre[count:, None]
+        far = np.sqrt(np.einsum("kij,kij->ki", apart, apart)).max(axis=1)
+        self.bound = np.concatenate([[part.bound for part in parts], far])
+        across = np.cross(triangles[:, 1] - triangles[:, 0], triangles[:, 2] - triangles[:, 0])
+        across /= np.linalg.norm(across, axis=1)[:, None]
+        self._normals = np.concatenate([*(part.normals for part in parts), across])
+        self._normal_counts = np.array([len(part.normals) for part in parts] + more * [1])
+        self._normal_ends: Index = np.cumsum(self._normal_counts)
+        self._disc = np.array([part.disc for part in parts] + more * [0.0])
         self._has_discs = bool(self._disc.any())
-        self._few = np.zeros((self.count, _FEW, 3))
-        self._axis = np.zeros((self.count, 3))
+        self._few = np.zeros((count, _FEW, 3))
+        self._axis = np.zeros((count + more, 3))
         self._clouds: dict[int, Array] = {}
         """Points (3, k) of parts with many points."""
         for number, part in enumerate(parts):
@@ -80,18 +92,29 @@ class ConvexParts:
                 self._axis[number] = along / np.linalg.norm(along)
         wide = self._disc[:, None] * np.sqrt(np.maximum(1.0 - self._axis**2, 0.0))
         wide += self.radius[:, None]
-        self.low, self.high = low - wide, high + wide
-        """Corners (n, 3) of the bounding boxes of all parts."""
-        self.half: Array = 0.5 * (self.high - self.low)
-        """Half the edges (n, 3) of these boxes, whose middles are the centres."""
-        self._is_cloud = np.array([len(part.points) > _FEW for part in parts], dtype=np.bool_)
-        sizes = np.where(self._is_cloud, [len(part.points) for part in parts], 0)
+        self.half: Array = 0.5 * (high - low) + wide
+        """Half the edges (n, 3) of the bounding boxes, whose middles are the centres."""
+        points = np.array([len(part.points) for part in parts] + more * [3], dtype=np.int64)
+        self._is_cloud = points > _FEW
+        sizes = np.where(self._is_cloud, points, 0)
         self._cloud_start: Index = np.cumsum(sizes) - sizes
         self._cloud_points = np.concatenate(
             [np.zeros((0, 3)), *(cloud.T for cloud in self._clouds.values())]
         )
 
-    def normals(self, part: Index) -> tuple[Array, npt.NDArray[np.bool_]]:
+    def corners(self, part: Index) -> Array:
+        """Return points (k, p, 3) whose hulls contain parts (k,): corners of boxes or triangles."""
+        is_triangle = part >= self.first_triangle
+        triangles = self.triangles[part[is_triangle] - self.first_triangle]
+        if is_triangle.all():
+            return triangles
+        found = np.empty((len(part), len(_BOX), 3))
+        found[is_triangle] = triangles[:, np.arange(len(_BOX)) % 3]
+        of_parts = part[~is_triangle]
+        found[~is_triangle] = self.centre[of_parts][:, None] + self.half[of_parts][:, None] * _BOX
+        return found
+
+    def normals(self, part: Index) -> tuple[Array, Mask]:
         """Return the normals (k, m, 3) of parts (k,), and a mask (k, m) of valid ones."""
         count, end = self._normal_counts[part], self._normal_ends[part]
         number = np.arange(count.max(initial=0))
@@ -106,9 +129,16 @@ class ConvexParts:
 
         The radius of a part is ignored: it is equal in all directions.
         """
-        few = self._few[part]
-        reach = np.einsum("kij,kj->ki", few, direction)
-        points: Array = few[np.arange(len(part)), reach.argmax(axis=1)]
+        points = np.empty((len(part), 3))
+        is_triangle = part >= self.first_triangle
+        for rows, corners, first in (
+            (np.flatnonzero(is_triangle), self.triangles, self.first_triangle),
+            (np.flatnonzero(~is_triangle), self._few, 0),
+        ):
+            if len(rows):
+                some = corners[part[rows] - first]
+                reach = np.einsum("kij,kj->ki", some, direction[rows])
+                points[rows] = some[np.arange(len(rows)), reach.argmax(axis=1)]
         if self._has_discs:
             disc, axis = self._disc[part], self._axis[part]
             across = direction - np.einsum("kj,kj->k", direction, axis)[:, None] * axis

@@ -57,7 +57,7 @@ def distances(
     second: Index,
     second_from_first: Transform,
     enough: Array | float = np.inf,
-    close: float = CLOSE_M,
+    close: Array | float = CLOSE_M,
     share: float = 0.0,
 ) -> Distances:
     """Return the distances of pairs of parts.
@@ -68,11 +68,12 @@ def distances(
         second: Indices of the second parts (k,); all results are in their frames.
         second_from_first: Poses of the first parts (k,).
         enough: Distance [m] above which a lower bound suffices.
-        close: Absolute tolerance [m].
+        close: Absolute tolerances [m] of all or each (k,).
         share: Relative tolerance; the larger of both applies.
     """
     count = len(first)
     enough = np.broadcast_to(np.asarray(enough, dtype=np.float64), (count,))
+    close = np.broadcast_to(np.asarray(close, dtype=np.float64), (count,))
     round_off = parts.radius[first] + parts.radius[second]
     rotation, translation = second_from_first.rotation, second_from_first.translation
     apart = np.einsum("kij,kj->ki", rotation, parts.centre[first]) + translation
@@ -93,6 +94,7 @@ def distances(
         translation,
         round_off,
         enough,
+        close,
         apart / np.sqrt(np.einsum("ki,ki->k", apart, apart))[:, None],
         np.zeros((count, 4, 2, 3)),
         np.zeros(count, dtype=np.int64),
@@ -106,7 +108,7 @@ def distances(
         reached = np.maximum(least[rows], np.einsum("kj,kj->k", a - b, ahead))
         least[rows], so_far = reached, found[rows]
         going = so_far - reached > np.maximum(
-            close, share * np.maximum(reached - some.round_off, 0.0)
+            some.close, share * np.maximum(reached - some.round_off, 0.0)
         )
         going &= reached - some.round_off < some.enough
         going |= some.size == 0
@@ -129,7 +131,7 @@ def distances(
         ends[rows[better]] = nearest[better]
         found[rows] = np.where(over, -np.inf, np.where(better, length, before))
         stuck = ~better
-        least[rows[stuck]] = np.maximum(least[rows[stuck]], found[rows[stuck]] - close)
+        least[rows[stuck]] = np.maximum(least[rows[stuck]], found[rows[stuck]] - some.close[stuck])
         least[rows[over]] = -np.inf
         # Points without a share are dropped; the others are moved to the front.
         order = np.argsort(shares <= 0.0, axis=1, kind="stable")
@@ -164,6 +166,8 @@ class _UndecidedPairs:
     round_off: Array
     """[m]: sum of both radii."""
     enough: Array
+    close: Array
+    """[m]: absolute tolerances."""
     direction: Array
     """Shape (k, 3)"""
     corners: Array

@@ -5,13 +5,10 @@ from __future__ import annotations
 from dataclasses import fields
 
 import numpy as np
-import numpy.typing as npt
 
-from rapidsim.collisions.convex import Index
+from rapidsim.collisions.convex import Index, Mask
 from rapidsim.frames.transform import Array
 from rapidsim.values import value_class
-
-Mask = npt.NDArray[np.bool_]
 
 
 @value_class(frozen=True, slots=True, eq=False)

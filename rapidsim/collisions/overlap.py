@@ -20,16 +20,16 @@ _AT_ONCE = 500
 """Number of pairs for which all directions are tried at once."""
 
 
-def _around() -> Array:
-    """Return unit vectors (k, 3) distributed evenly over the sphere."""
-    number = np.arange(_ALL_AROUND) + 0.5
-    height = 1.0 - 2.0 * number / _ALL_AROUND
+def directions_around(count: int) -> Array:
+    """Return unit vectors (count, 3) distributed evenly over the sphere."""
+    number = np.arange(count) + 0.5
+    height = 1.0 - 2.0 * number / count
     angle = np.pi * (1.0 + 5.0**0.5) * number
     out = np.sqrt(1.0 - height**2)
     return np.column_stack([out * np.cos(angle), out * np.sin(angle), height])
 
 
-_AROUND = _around()
+_AROUND = directions_around(_ALL_AROUND)
 
 
 def flat_overlaps(

@@ -180,7 +180,7 @@ class Scene:
 
     def shapes(self) -> Bodies:
         """Return the bodies prepared for distance computation."""
-        return Bodies([body.shape.parts for body in self.bodies])
+        return Bodies([body.shape for body in self.bodies])
 
     def poses(self, times: Array) -> Poses:
         """Return the poses of all bodies at instants (k,) [s]."""

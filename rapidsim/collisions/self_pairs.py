@@ -91,7 +91,7 @@ def self_pairs(
         postures: Number of postures to sample.
         sample_count: Maximum number of further postures for a proof, else the pair is undecided.
     """
-    bodies = Bodies([link.shape.parts for link in links])
+    bodies = Bodies([link.shape for link in links])
     joints = random_postures(robot, postures)
     base_from_link = robot.kinematics.link_frames(joints)
     found = []

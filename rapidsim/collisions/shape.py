@@ -7,12 +7,12 @@ A non-convex shape is checked by its triangles, each a part, or by the convex hu
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import replace
+from dataclasses import field, replace
 from enum import StrEnum
 
 import numpy as np
 
-from rapidsim.collisions.convex import ConvexPart
+from rapidsim.collisions.convex import NO_TRIANGLES, ConvexPart
 from rapidsim.collisions.meshes.triangles import Faces, Triangles, components, hollowness
 from rapidsim.frames.transform import Array, Transform
 from rapidsim.values import value_class
@@ -66,8 +66,10 @@ class Shape:
     """Shape (f, 3)"""
     hollow_m: float = 0.0
     """Depth [m] by which the checked shape may exceed the body."""
+    triangles: Array = field(default_factory=lambda: NO_TRIANGLES)
+    """Shape (t, 3, 3): triangles that are checked in addition to the parts."""
     solid: Triangles | None = None
-    """Closed surface whose triangles are the parts, which leave its inside empty; else None."""
+    """Closed surface of these triangles, which leave its inside empty; else None."""
 
     def moved(self, a_from_b: Transform) -> Shape:
         """Return the body in frame a."""
@@ -83,6 +85,7 @@ class Shape:
                 for one in self.parts
             ),
             vertices=a_from_b.apply(self.vertices),
+            triangles=a_from_b.apply(self.triangles.reshape(-1, 3)).reshape(-1, 3, 3),
             solid=solid and replace(solid, vertices=a_from_b.apply(solid.vertices)),
         )
 
@@ -95,6 +98,7 @@ def union(shapes: Sequence[Shape]) -> Shape:
         np.concatenate([one.vertices for one in shapes]),
         np.concatenate([one.faces + start for one, start in zip(shapes, starts, strict=False)]),
         max(one.hollow_m for one in shapes),
+        np.concatenate([one.triangles for one in shapes]),
     )
 
 
@@ -163,7 +167,7 @@ def of_mesh(mesh: Triangles, filling: Filling) -> Shape:
     if filling is Filling.HULL:
         return _hulls(mesh, [mesh.faces])
     pieces = components(mesh.faces, len(mesh.vertices))
-    depths = [hollowness(mesh.vertices, faces) for faces in pieces]
+    depths = [hollowness(mesh.vertices, faces, _CONVEX_M) for faces in pieces]
     solid = filling is Filling.SOLID
     parts: list[ConvexPart] = []
     hollow: list[Faces] = []
@@ -172,11 +176,12 @@ def of_mesh(mesh: Triangles, filling: Filling) -> Shape:
             parts.append(_convex(mesh.vertices, faces))
         else:
             hollow.append(faces)
-            parts += [_convex(mesh.vertices, one[None]) for one in faces]
-    inside = None
-    if solid and hollow:
-        inside = Triangles(mesh.vertices, np.concatenate(hollow), closed=True)
-    return Shape(tuple(parts), mesh.vertices, mesh.faces, solid=inside)
+    inside, triangles = None, NO_TRIANGLES
+    if hollow:
+        surface = np.concatenate(hollow)
+        triangles = mesh.vertices[surface]
+        inside = Triangles(mesh.vertices, surface, closed=True) if solid else None
+    return Shape(tuple(parts), mesh.vertices, mesh.faces, triangles=triangles, solid=inside)
 
 
 def hull_of_each_piece(mesh: Triangles) -> Shape:

@@ -5,8 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from rapidsim.collisions.body_distance import Bodies
-from rapidsim.collisions.convex import Index
-from rapidsim.collisions.intervals import Mask
+from rapidsim.collisions.convex import Index, Mask
 from rapidsim.collisions.overlap import TOUCH_M
 from rapidsim.frames.transform import Array, Transform
 from rapidsim.values import value_class

@@ -44,7 +44,7 @@ def cell_scene(
 ) -> CellScene:
     """Return the bodies of a run and the pairs of them that must not touch."""
     cell = CellBodies(simulation, geometry, conveyors)
-    distances = Bodies([*(body.shape.parts for body in cell.bodies), _POINT.parts])
+    distances = Bodies([*(body.shape for body in cell.bodies), _POINT])
     holders = tuple(part_holders(cell, geometry))
     courses = part_courses(cell, distances, holders, tuple(part_sinks(cell, geometry)))
     for number, course in courses.parts.items():

@@ -51,16 +51,19 @@ from rapidsim.station.toml_reader import Reader, Table
 from rapidsim.station.units import LengthUnit
 
 _MOST_OBJECTS = 1000
+_Meshes = dict[tuple[Path, float, Filling], Shape]
+"""Shapes of mesh files, with their scales and fillings, which objects share."""
 
 
 def read_geometry(reader: Reader, station: Table) -> CellGeometry:
     """Read the tables; errors are collected in the reader."""
     objects: dict[str, CellObject] = {}
+    meshes: _Meshes = {}
     for number, (path, table) in enumerate(reader.tables(station, "object")):
         if number >= _MOST_OBJECTS:
             reader.wrong("object", f"more than {_MOST_OBJECTS} are not supported")
             break
-        found = _object(reader, path, table)
+        found = _object(reader, path, table, meshes)
         if found is None:
             continue
         if found.name.lower() in objects:
@@ -137,7 +140,7 @@ def _attachment(
     return Attachment(attach.when.text, matches, to, attach.nearest * MM)
 
 
-def _object(reader: Reader, path: str, table: Table) -> CellObject | None:
+def _object(reader: Reader, path: str, table: Table, meshes: _Meshes) -> CellObject | None:
     found = values_of(reader, ObjectTable, table, path)
     kinds = [key for key in SHAPES if key in table]
     if len(kinds) != 1:
@@ -152,7 +155,11 @@ def _object(reader: Reader, path: str, table: Table) -> CellObject | None:
     if entry.capsule is not None and entry.capsule.length <= entry.capsule.diameter:
         reader.wrong(f"{path}.capsule.length", "with both ends it is longer than the diameter")
         return None
-    body = _solid(entry) if entry.mesh is None else _mesh(reader, path, table, entry, entry.mesh)
+    body = (
+        _solid(entry)
+        if entry.mesh is None
+        else _mesh(reader, path, table, entry, entry.mesh, meshes)
+    )
     if body is None:
         return None
     return CellObject(
@@ -180,7 +187,9 @@ def _solid(entry: ObjectTable) -> Shape | None:
     return None
 
 
-def _mesh(reader: Reader, path: str, table: Table, entry: ObjectTable, file: Path) -> Shape | None:
+def _mesh(
+    reader: Reader, path: str, table: Table, entry: ObjectTable, file: Path, meshes: _Meshes
+) -> Shape | None:
     unit = entry.unit
     if "unit" not in table:
         if file.suffix.lower() not in IN_METRES:
@@ -191,6 +200,9 @@ def _mesh(reader: Reader, path: str, table: Table, entry: ObjectTable, file: Pat
             unit = LengthUnit.METRE
     if unit is None:
         return None
+    scale = unit.in_m * entry.scale
+    if (known := meshes.get((file, scale, entry.filling))) is not None:
+        return known
     try:
         mesh = read_mesh(file, file.parent)
     except InputError as mistake:
@@ -203,7 +215,7 @@ def _mesh(reader: Reader, path: str, table: Table, entry: ObjectTable, file: Pat
             'filling = "surface" checks only its triangles, filling = "hull" their convex hull',
         )
         return None
-    mesh = replace(mesh, vertices=mesh.vertices * (unit.in_m * entry.scale))
+    mesh = replace(mesh, vertices=mesh.vertices * scale)
     size = float(np.ptp(mesh.vertices, axis=0).max())
     if not LEAST_M <= size <= MOST_M:
         reader.wrong(
@@ -212,4 +224,5 @@ def _mesh(reader: Reader, path: str, table: Table, entry: ObjectTable, file: Pat
             "give the unit that it was drawn in",
         )
         return None
-    return shape.of_mesh(mesh, entry.filling)
+    meshes[file, scale, entry.filling] = found = shape.of_mesh(mesh, entry.filling)
+    return found

@@ -12,6 +12,10 @@ from rapidsim.values import value_class
 Faces = npt.NDArray[np.int64]
 
 MOST_TRIANGLES = 100_000
+_MANY = 5000
+"""Number of faces of a piece above which its edges are checked before all its points."""
+_LEVEL = 1e-7
+"""Height of a point above a face next to it, as a share of the size, up to which it is level."""
 _FLAT = 1e-14
 """Ratio of a triangle's double area to the square of its longest edge below which it is flat."""
 
@@ -118,19 +122,54 @@ def components(faces: Faces, count: int) -> list[Faces]:
     return np.split(faces[order], starts[1:])
 
 
-def hollowness(vertices: Array, faces: Faces) -> float:
+def hollowness(vertices: Array, faces: Faces, enough_m: float = np.inf) -> float:
     """Distance [m] by which a piece protrudes beyond the plane of one of its faces: 0 if convex.
 
     The hull of a piece fills no cavity deeper than this.
+
+    Args:
+        vertices: Shape (k, 3) [m].
+        faces: Shape (f, 3).
+        enough_m: Depth [m] above which a smaller one than the deepest may be returned.
     """
     used = vertices[np.unique(faces)]
     a, b, c = (vertices[faces[:, i]] for i in range(3))
     normals = np.cross(b - a, c - a)
     normals /= np.linalg.norm(normals, axis=1)[:, None]
+    many = len(faces) > _MANY
+    if many and _is_convex_at_edges(vertices, faces, normals):
+        return 0.0
     # Faces in files may have any orientation: out is the side with fewer points beyond.
     deepest = 0.0
-    for rows in np.array_split(np.arange(len(faces)), max(1, len(faces) * len(used) // 2_000_000)):
-        heights = used @ normals[rows].T - np.einsum("kj,kj->k", normals[rows], a[rows])
+    count = max(1, len(faces) * len(used) // 2_000_000)
+    for part in range(count):
+        # Faces all over the piece, so that a cavity is found soon.
+        heights = used @ normals[part::count].T
+        heights -= np.einsum("kj,kj->k", normals[part::count], a[part::count])
         beyond = np.minimum(heights.max(axis=0), -heights.min(axis=0))
         deepest = max(deepest, float(beyond.max(initial=0.0)))
+        if deepest > enough_m:
+            break
     return deepest
+
+
+def _is_convex_at_edges(vertices: Array, faces: Faces, normals: Array) -> bool:
+    """Whether a connected piece is closed and bends outward at each edge: then it is convex.
+
+    Source:
+        van Heijenoort (1952), On locally convex manifolds.
+    """
+    count = len(vertices)
+    if not _is_closed(faces, count):
+        return False
+    start, end = (np.concatenate([faces[:, i] for i in order]) for order in ((0, 1, 2), (1, 2, 0)))
+    face = np.tile(np.arange(len(faces)), 3)
+    forth = np.argsort(start * count + end, kind="stable")
+    back = np.argsort(end * count + start, kind="stable")
+    # The same edge in both directions: the faces on either side.
+    here, there = face[forth], face[back]
+    corners = vertices[faces[there]] - vertices[start[forth]][:, None]
+    heights = np.einsum("kij,kj->ki", corners, normals[here])
+    size = float(np.ptp(vertices[np.unique(faces)], axis=0).max())
+    level = _LEVEL * size
+    return bool((heights.max(axis=1) <= level).all() or (heights.min(axis=1) >= -level).all())

@@ -1,0 +1,189 @@
+"""Trees of bounding volumes, which find the pairs of parts of two bodies that are near each other.
+
+A node is one part, or a group of nodes that are near each other; the root of a tree is a body.
+Pairs of nodes are followed down from the roots, for many pairs of bodies at once: the larger node
+of a pair is replaced by its members, and pairs farther apart than wanted are dropped.
+
+Parts are ordered along a curve that fills space (Morton order), so that consecutive ones are near
+each other.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from rapidsim.collisions.bounds import Bounds, around, joined
+from rapidsim.collisions.convex import ConvexParts, Index, Mask
+from rapidsim.frames.transform import Array, Transform
+from rapidsim.values import value_class
+
+_MEMBERS, _FEW = 4, 64
+"""Number of members of a group, and of parts up to which a body is a single group."""
+_BITS = 20
+"""Number of bits of each coordinate in the order of the parts."""
+
+
+@value_class(frozen=True, slots=True, eq=False)
+class NodePairs:
+    """Pairs of nodes (k,) that belong to queries."""
+
+    query: Index
+    first: Index
+    second: Index
+    near: Array
+    """[m]: lower bounds of their gaps; negative if undecided."""
+
+    def rows(self, at: Mask | Index | slice) -> NodePairs:
+        """Return a subset of the pairs."""
+        return NodePairs(self.query[at], self.first[at], self.second[at], self.near[at])
+
+    def and_also(self, other: NodePairs) -> NodePairs:
+        """Return these pairs followed by others."""
+        return NodePairs(
+            np.concatenate([self.query, other.query]),
+            np.concatenate([self.first, other.first]),
+            np.concatenate([self.second, other.second]),
+            np.concatenate([self.near, other.near]),
+        )
+
+
+class BoundsTrees:
+    """One tree of bounds for each of some bodies."""
+
+    def __init__(self, parts: ConvexParts, bodies: Sequence[Index]) -> None:
+        """Build the trees.
+
+        Args:
+            parts: All parts, which are the first nodes.
+            bodies: Indices of the parts of each body.
+        """
+        count = len(parts.bound)
+        no = np.zeros(count, dtype=np.int64)
+        levels, members, starts, sizes = [_of_parts(parts)], [no[:0]], [no], [no]
+        roots: list[int] = []
+        placed = 0
+        for body in bodies:
+            nodes = body
+            if len(body) > 1:
+                nodes = body[_along_curve(parts.centre[body])]
+            corners, span = parts.corners(nodes), 1
+            has_many = len(body) > _FEW
+            members_each = _MEMBERS if has_many else len(body)
+            while len(nodes) > 1:
+                span *= members_each
+                edges = np.arange(0, len(nodes), members_each)
+                levels.append(around(corners, np.arange(0, len(corners), span), turned=has_many))
+                members.append(nodes)
+                starts.append(placed + edges)
+                sizes.append(np.diff(edges, append=len(nodes)))
+                placed += len(nodes)
+                nodes = count + np.arange(len(edges))
+                count += len(edges)
+            roots.append(int(nodes[0]))
+        self._nodes = joined(levels)
+        self._members = np.concatenate(members)
+        self._start, self._size = np.concatenate(starts), np.concatenate(sizes)
+        self._roots = np.array(roots, dtype=np.int64)
+        self.bounds = self._nodes.rows(self._roots)
+        """Bounds of the bodies."""
+
+    def roots(self, first: Index, second: Index, second_from_first: Transform) -> NodePairs:
+        """Return pairs of bodies (k,), each a query."""
+        a, b = self._roots[first], self._roots[second]
+        near = self._nodes.gaps(a, b, second_from_first)
+        return NodePairs(np.arange(len(first)), a, b, near)
+
+    def parts_at(self, node: Index, points: Array, count: int) -> tuple[Index, Index]:
+        """Return parts below nodes (k,) near points (k, 3) in their frames, and their rows.
+
+        For each node some of the nearest, at most `count`.
+        """
+        row, found = np.arange(len(node)), node
+        while (self._size[found] > 0).any():
+            size = np.maximum(self._size[found], 1)
+            each = np.repeat(np.arange(len(found)), size)
+            number = np.arange(len(each)) - np.repeat(np.cumsum(size) - size, size)
+            group = self._size[found[each]] > 0
+            member = found[each]
+            member[group] = self._members[self._start[member[group]] + number[group]]
+            row = row[each]
+            distance = self._nodes.from_points(member, points[row])
+            nearest = first_of_each(row, distance, count)
+            row, found = row[nearest], member[nearest]
+        return found, row
+
+    def is_leaf(self, pairs: NodePairs) -> Mask:
+        """Mask of pairs of parts, whose nodes are their indices."""
+        leaf: Mask = (self._size[pairs.first] == 0) & (self._size[pairs.second] == 0)
+        return leaf
+
+    def below(self, pairs: NodePairs, second_from_first: Transform, enough: Array) -> NodePairs:
+        """Return the pairs below pairs that are not leaves, with their bounds.
+
+        Args:
+            pairs: Pairs of nodes (k,).
+            second_from_first: Poses of all queries.
+            enough: Bounds [m] of all queries above which a smaller one suffices.
+        """
+        a, b = pairs.first, pairs.second
+        bound = self._nodes.bound
+        opens_first = self._size[a] > 0
+        opens_first &= (self._size[b] == 0) | (bound[a] >= bound[b])
+        opened = np.where(opens_first, a, b)
+        size = self._size[opened]
+        row = np.repeat(np.arange(len(a)), size)
+        number = np.arange(len(row)) - np.repeat(np.cumsum(size) - size, size)
+        member = self._members[self._start[opened][row] + number]
+        opens = opens_first[row]
+        first, second = np.where(opens, member, a[row]), np.where(opens, b[row], member)
+        query = pairs.query[row]
+        near = self._nodes.gaps(first, second, second_from_first[query], enough[query])
+        return NodePairs(query, first, second, near)
+
+
+def first_of_each(query: Index, order: Array, count: int | Index) -> Mask:
+    """Mask of the rows (k,) of each query that come first in an order, at most `count` (k,)."""
+    rows = np.lexsort((order, query))
+    of_row = query[rows]
+    starts = np.flatnonzero(np.diff(of_row, prepend=-1))
+    rank = np.arange(len(rows)) - np.repeat(starts, np.diff(starts, append=len(rows)))
+    found = np.zeros(len(rows), dtype=np.bool_)
+    found[rows[rank < (count if isinstance(count, int) else count[rows])]] = True
+    return found
+
+
+def _along_curve(centres: Array) -> Index:
+    """Return the order of points (k, 3) along a curve that fills space."""
+    low = centres.min(axis=0)
+    size = float(np.ptp(centres, axis=0).max())
+    cells = ((centres - low) * ((2**_BITS - 1) / max(size, 1e-12))).astype(np.uint64)
+    code = np.zeros(len(centres), dtype=np.uint64)
+    for axis in range(3):
+        code |= _spread(cells[:, axis]) << np.uint64(axis)
+    return np.argsort(code, kind="stable")
+
+
+def _spread(
+    number: np.ndarray[tuple[int, ...], np.dtype[np.uint64]],
+) -> np.ndarray[tuple[int, ...], np.dtype[np.uint64]]:
+    """Return numbers (k,) of 21 bits with two zeros before each bit."""
+    for shift, mask in (
+        (32, 0x1F00000000FFFF),
+        (16, 0x1F0000FF0000FF),
+        (8, 0x100F00F00F00F00F),
+        (4, 0x10C30C30C30C30C3),
+        (2, 0x1249249249249249),
+    ):
+        number = (number | (number << np.uint64(shift))) & np.uint64(mask)
+    return number
+
+
+def _of_parts(parts: ConvexParts) -> Bounds:
+    """Return the bounds of single parts."""
+    end = parts.first_triangle
+    solids = Bounds(parts.centre[:end], parts.half[:end], parts.bound[:end])
+    if not len(parts.triangles):
+        return solids
+    return joined([solids, around(parts.triangles, np.arange(len(parts.triangles)), turned=True)])

@@ -1,0 +1,84 @@
+"""Surfaces of many triangles: another library as the oracle, and no cost by the square."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from castings import compared, ring
+from laws import cases
+
+from rapidsim.collisions import shape
+from rapidsim.collisions.meshes.triangles import Triangles, hollowness
+from rapidsim.collisions.outer_hull import outer_hull
+from rapidsim.collisions.shape import Filling
+from rapidsim.frames.transform import Transform
+
+
+@pytest.mark.parametrize("two_rings", [False, True], ids=["box", "ring"])
+@pytest.mark.parametrize("close_m", [0.0, 0.005], ids=["exact", "coarse"])
+def test_rings_are_as_far_apart_as_another_library_says(*, two_rings: bool, close_m: float) -> None:
+    """Gaps are within the tolerance, and lower bounds below the distance, also where it is wide."""
+    found = compared(cases(80), 3000, two_rings=two_rings, close_m=close_m)
+    assert found.touching
+    assert found.differing == 0
+    assert found.too_high_m < 1e-6
+    assert found.error < 0.005 or found.error_m < 2.0 * close_m
+
+
+def test_bodies_of_many_triangles_are_read_without_comparing_each_with_each() -> None:
+    """A ring and a ball of 40,000: the one has a hole, the other is one convex part."""
+    hole = shape.of_mesh(ring(40_000), Filling.SOLID)
+    assert (len(hole.parts), len(hole.triangles)) == (0, len(hole.faces))
+    solid = _ball(40_000)
+    assert len(shape.of_mesh(solid, Filling.SOLID).parts) == 1
+    dented = solid.vertices.copy()
+    dented[7] *= 0.99
+    assert hollowness(dented, solid.faces) > 1e-4
+
+
+def test_the_body_around_a_shape_contains_it_and_little_more() -> None:
+    surface = shape.of_mesh(ring(8000), Filling.SOLID)
+    around = outer_hull(surface)
+    directions = np.random.default_rng(4).normal(size=(cases(200), 3))
+    directions /= np.linalg.norm(directions, axis=1)[:, None]
+    reach = (directions @ surface.vertices.T).max(axis=1)
+    bound = (directions @ around.points.T).max(axis=1) + around.radius
+    assert (bound >= reach).all()
+    assert (bound - reach).max() < 2e-3
+    assert len(around.points) <= 1000
+
+
+def test_a_body_moved_is_where_its_triangles_are() -> None:
+    moved = shape.of_mesh(ring(500), Filling.SURFACE).moved(
+        Transform(np.eye(3), np.array([0.0, 0.0, 2.0]))
+    )
+    np.testing.assert_allclose(moved.triangles, moved.vertices[moved.faces])
+
+
+def _ball(triangles: int) -> Triangles:
+    """Return a sphere of about so many triangles with the precision that STL files have."""
+    around = round(triangles**0.5)
+    heights = np.linspace(0.0, np.pi, around // 2 + 1)[1:-1, None]
+    angles = np.linspace(0.0, 2.0 * np.pi, around, endpoint=False)[None]
+    rows = np.stack(
+        [
+            np.sin(heights) * np.cos(angles),
+            np.sin(heights) * np.sin(angles),
+            np.cos(heights + 0 * angles),
+        ],
+        axis=-1,
+    ).reshape(-1, 3)
+    points = np.concatenate([rows, [[0.0, 0.0, 1.0], [0.0, 0.0, -1.0]]])
+    row, column = np.arange(len(heights) - 1)[:, None] * around, np.arange(around)[None]
+    then = (column + 1) % around
+    a, b = row + column, row + then
+    c, d = a + around, b + around
+    first, last = np.arange(around), np.arange(around) + (len(heights) - 1) * around
+    faces = [
+        np.stack([a, c, d], axis=-1).reshape(-1, 3),
+        np.stack([a, d, b], axis=-1).reshape(-1, 3),
+        np.stack([np.full(around, len(rows)), first, np.roll(first, -1)], axis=-1),
+        np.stack([np.full(around, len(rows) + 1), np.roll(last, -1), last], axis=-1),
+    ]
+    vertices = (0.25 * points).astype(np.float32).astype(np.float64)
+    return Triangles(vertices, np.concatenate(faces), closed=True)
