@@ -51,6 +51,7 @@ from rapidsim.values import value_class
 
 MOST_IDENTITIES: Final = 4
 """Maximum number of identities of a task at one time; from memory of ABB's documents."""
+_OTHER_MODE: Final = "ABB 41826"
 
 
 @value_class(slots=True, eq=False)
@@ -102,7 +103,9 @@ class TaskGuidance:
         one, setup = self._connected(identity)
         if setup.purpose is not purpose:
             wanted = purpose.name.capitalize()
-            raise NotAllowed(rf"EGMSetupUC has not set this EGM identity up with \{wanted}")
+            raise NotAllowed(
+                rf"EGMSetupUC has not set this EGM identity up with \{wanted}", _OTHER_MODE
+            )
         if one.state == RUNNING:
             raise NotAllowed("the sensor guides the robot; EGMStop ends that")
         one.activation = activation
@@ -120,7 +123,9 @@ class TaskGuidance:
             raise NotAllowed("robots that move together cannot be guided by a sensor")
         self._end_correction()
         if len(terms.chosen) != len(one.activation.bands):
-            raise NotAllowed("EGMRunJoint follows EGMActJoint, and EGMRunPose EGMActPose")
+            raise NotAllowed(
+                "EGMRunJoint follows EGMActJoint, and EGMRunPose EGMActPose", _OTHER_MODE
+            )
         self.clock.note_line()
         self.clock.bring_to_rest()
         self.clock.await_restart()
@@ -132,7 +137,9 @@ class TaskGuidance:
         """Set the period [s] at which the sensor corrects a path."""
         one, setup = self._connected(identity)
         if setup.purpose is not Purpose.PATH_CORRECTION:
-            raise NotAllowed(r"EGMSetupUC has not set this EGM identity up with \PathCorr")
+            raise NotAllowed(
+                r"EGMSetupUC has not set this EGM identity up with \PathCorr", _OTHER_MODE
+            )
         one.sample_s = sample_s
 
     def correct(self, identity: Callable[[], int], move: Move, put: Callable[[], None]) -> None:
@@ -172,7 +179,7 @@ class TaskGuidance:
             self._active.waits = True
         self._await(one)
 
-    def end_guidance(self, identity: int, *, moves_back: bool, ramp_out_s: float) -> None:
+    def end_guidance(self, identity: int, *, moves_back: bool, ramp_out_s: float | None) -> None:
         """End the guidance."""
         one, _ = self._connected(identity)
         self.clock.note_line()
@@ -182,9 +189,10 @@ class TaskGuidance:
             self._end_correction()
         if under_way is None or under_way.identity is not one:
             return
-        under_way.run.stop(moves_back=moves_back, ramp_out_s=ramp_out_s)
+        ramp_s = one.data.ramp_s if ramp_out_s is None else ramp_out_s
+        under_way.run.stop(moves_back=moves_back, ramp_out_s=ramp_s)
         assert one.sensor is not None
-        one.sensor.stop(moves_back=moves_back, ramp_out_s=ramp_out_s)
+        one.sensor.stop(moves_back=moves_back, ramp_out_s=ramp_s)
         while self._active is under_way:
             self.clock.await_event(math.inf)
 

@@ -62,10 +62,13 @@ class Activation:
     """J1..J7 or x..rz [deg, mm]; None if the call omits it."""
     tool: ToolData | None
     wobj: WobjData | None
-    filter_hz: float
+    filter_hz: float | None
+    """Bandwidth of the goal's filter; None for that of the configuration."""
     sample_s: float
     max_speed: float
     """[deg/s]"""
+    max_deviation: float
+    """Largest distance [deg] of an axis from where the guidance began."""
     frames: PoseFrames | None = None
     """Frames of poses; None for joints."""
     values: list[float] | None = None
@@ -78,12 +81,13 @@ class GuidanceTerms:
     """Data of EGMRunJoint and EGMRunPose: axes, gain and end of a guidance."""
 
     chosen: tuple[bool, ...]
-    """J1..J7 or x..rz; if none is True, all are guided."""
+    """J1..J7 or x..rz; the others do not move."""
     moves_back: bool
     waits: bool
     condition_s: float
-    ramp_in_s: float
-    ramp_out_s: float
+    ramp_in_s: float | None
+    ramp_out_s: float | None
+    """None for the ramps of the configuration."""
     gain: float
     """PosCorrGain, 0..1."""
     offset: Pose | None = None
@@ -133,8 +137,14 @@ class Guidance(Protocol):
         """Wait until the guided robot has arrived; raises as `guide` does."""
         ...
 
-    def end_guidance(self, identity: int, *, moves_back: bool, ramp_out_s: float) -> None:
-        """End the guidance; returns when the robot is at rest."""
+    def end_guidance(self, identity: int, *, moves_back: bool, ramp_out_s: float | None) -> None:
+        """End the guidance; returns when the robot is at rest.
+
+        Args:
+            identity: That of the sensor.
+            moves_back: Whether the robot returns to where the guidance began.
+            ramp_out_s: Time [s] for that; None for the ramp of the configuration.
+        """
         ...
 
     def stream(self, identity: int, sample_s: float | None) -> None:

@@ -11,7 +11,7 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping, Sequence
 from types import MappingProxyType
-from typing import Annotated, Final, Unpack, cast
+from typing import Annotated, Final, Unpack, cast, overload
 
 from rapidsim.language import types
 from rapidsim.language.annotations import (
@@ -64,11 +64,10 @@ EgmFrameType = Annotated[float, types.Alias("egmframetype", types.NUM)]
 EgmState = Annotated[float, types.Alias("egmstate", types.NUM)]
 EgmStopMode = Annotated[float, types.Alias("egmstopmode", types.NUM)]
 
-LP_FILTER_HZ: Final = 20.0
 MAX_SPEED_DEVIATION: Final = 1.0
+MAX_POS_DEVIATION: Final = 1000.0
 TIMEOUT_S: Final = 1.0
 CONDITION_S: Final = 1.0
-RAMP_S: Final = 1.0
 
 
 def egm_get_id(controller: Guidance, egmid: Var[EgmIdent]) -> None:
@@ -104,7 +103,7 @@ def egm_setup_uc(
 ) -> None:
     """Connect an identity with a sensor over UDP; without a switch it only receives positions."""
     del mec_unit, aptr, latr
-    silence_s = TIMEOUT_S if comm_timeout is None else _positive("CommTimeout", comm_timeout)
+    silence_s = _positive("CommTimeout", comm_timeout, TIMEOUT_S)
     setup = SensorSetup(
         uc_device.rstrip(":"),
         ext_config_name,
@@ -188,22 +187,17 @@ def egm_act_joint(
 ) -> None:
     """Let the sensor send joint goals, with the bands within which they are reached."""
     del tload
-    note_ignored_options(
-        controller.fidelity,
-        "EGMActJoint",
-        {r"\MaxPosDeviation": max_pos_deviation, **_exchanged(bands)},
-    )
+    note_ignored_options(controller.fidelity, "EGMActJoint", _exchanged(bands))
     controller.guidance.activate(
         identity_number(egmid, "EGMActJoint"),
         Activation(
             tuple(bands.get(name) for name in JOINTS),  # type: ignore[misc]
             tool.value if tool else None,
             wobj.value if wobj else None,
-            LP_FILTER_HZ if lp_filter is None else _positive("LpFilter", lp_filter),
+            _positive("LpFilter", lp_filter),
             sample_s(sample_rate),
-            MAX_SPEED_DEVIATION
-            if max_speed_deviation is None
-            else _positive("MaxSpeedDeviation", max_speed_deviation),
+            _positive("MaxSpeedDeviation", max_speed_deviation, MAX_SPEED_DEVIATION),
+            _positive("MaxPosDeviation", max_pos_deviation, MAX_POS_DEVIATION),
             values=data_from_sensor,
             streams=stream_start,
         ),
@@ -231,22 +225,17 @@ def egm_act_pose(
 ) -> None:
     """Let the sensor send poses of the TCP as goals, with their frames and bands."""
     del tload
-    note_ignored_options(
-        controller.fidelity,
-        "EGMActPose",
-        {r"\MaxPosDeviation": max_pos_deviation, **_exchanged(bands)},
-    )
+    note_ignored_options(controller.fidelity, "EGMActPose", _exchanged(bands))
     controller.guidance.activate(
         identity_number(egmid, "EGMActPose"),
         Activation(
             tuple(bands.get(name) for name in POSE_AXES),  # type: ignore[misc]
             tool.value if tool else None,
             wobj.value if wobj else None,
-            LP_FILTER_HZ if lp_filter is None else _positive("LpFilter", lp_filter),
+            _positive("LpFilter", lp_filter),
             sample_s(sample_rate),
-            MAX_SPEED_DEVIATION
-            if max_speed_deviation is None
-            else _positive("MaxSpeedDeviation", max_speed_deviation),
+            _positive("MaxSpeedDeviation", max_speed_deviation, MAX_SPEED_DEVIATION),
+            _positive("MaxPosDeviation", max_pos_deviation, MAX_POS_DEVIATION),
             frames=PoseFrames(corr_frame, corr_fr_type, sensor_frame, sensor_fr_type),
             values=data_from_sensor,
             streams=stream_start,
@@ -318,7 +307,7 @@ def egm_stop(
     ramp_out_time: Num | None = None,
 ) -> None:
     """End the guidance; the robot stays, or returns to the position where the guidance began."""
-    ramp_s = RAMP_S if ramp_out_time is None else _positive("RampOutTime", ramp_out_time)
+    ramp_s = _positive("RampOutTime", ramp_out_time)
     controller.end_guidance(
         identity_number(egmid, "EGMStop"), moves_back=mode == RAMP_DOWN, ramp_out_s=ramp_s
     )
@@ -376,22 +365,29 @@ def _terms(
     offset: Pose | None,
 ) -> GuidanceTerms:
     condition, ramp_in, ramp_out = times
-    gain = 1.0 if gain is None else _positive("PosCorrGain", gain)
+    gain = _positive("PosCorrGain", gain, 1.0)
     if gain > 1.0:
         raise rapid_error(ERR_ARGVALERR, f"PosCorrGain is {gain:g}; 0..1 is possible")
     return GuidanceTerms(
         tuple(chosen),
         mode == RAMP_DOWN,
         waits,
-        CONDITION_S if condition is None else _positive("CondTime", condition),
-        RAMP_S if ramp_in is None else _positive("RampInTime", ramp_in),
-        RAMP_S if ramp_out is None else _positive("RampOutTime", ramp_out),
+        _positive("CondTime", condition, CONDITION_S),
+        _positive("RampInTime", ramp_in),
+        _positive("RampOutTime", ramp_out),
         gain,
         offset,
     )
 
 
-def _positive(name: str, value: float) -> float:
+@overload
+def _positive(name: str, value: float | None) -> float | None: ...
+@overload
+def _positive(name: str, value: float | None, default: float) -> float: ...
+def _positive(name: str, value: float | None, default: float | None = None) -> float | None:
+    """The value of an argument, which cannot be negative; the default if the call omits it."""
+    if value is None:
+        return default
     if not value >= 0.0:
         raise rapid_error(ERR_ARGVALERR, f"{name} is {value:g}; it cannot be negative")
     return value

@@ -157,6 +157,27 @@ def test_axes_that_are_not_chosen_stay() -> None:
     assert np.allclose(joints_at(it, end_s(it)), (10, 0, 0, 0, 30, 0), atol=0.01)
 
 
+def test_without_axes_nothing_moves() -> None:
+    it, _ = guided(
+        "    prepare 1;\n    " + RUN.replace(r" \J1 \J2 \J3 \J4 \J5 \J6", "") + ";", to(GOAL)
+    )
+    assert it.end == "ended"
+    assert np.allclose(joints_at(it, end_s(it)), (0, 0, 0, 0, 30, 0), atol=1e-9)
+
+
+def test_no_axis_gets_further_from_its_start_than_permitted() -> None:
+    head = HEAD.replace(r"\MaxSpeedDeviation:=90", r"\MaxPosDeviation:=4 \MaxSpeedDeviation:=90")
+    it, _ = guided(
+        "    prepare 1;\n    "
+        + RUN.replace("0.1", "1E9").replace("HOLD,", r"HOLD,\NoWaitCond")
+        + ";\n    WaitTime 3;\n    EGMStop id, EGM_STOP_HOLD;",
+        to(GOAL),
+        head,
+    )
+    assert np.allclose(joints_at(it, end_s(it)), (4, -4, 4, 3, 32, -4), atol=0.01)
+    assert not [code for code, _line in it.findings if code == "R119"]
+
+
 def test_speeds_alone_move_the_robot_where_the_gain_is_nought() -> None:
     it, _ = guided(
         "    prepare 1;\n    "
@@ -291,13 +312,31 @@ def test_a_pose_out_of_reach_ends_the_program() -> None:
         "EGMGetId id;\n EGMRunJoint id, EGM_STOP_HOLD;",
         'EGMGetId id;\n EGMSetupUC ROB_1, id, "default", "x" \\Joint;\n'
         "EGMRunJoint id, EGM_STOP_HOLD;",
-        'EGMGetId id;\n EGMSetupUC ROB_1, id, "default", "x" \\Pose;\n EGMActJoint id;',
     ],
 )
 def test_what_is_missing_before_a_run_is_named(body: str) -> None:
     it, _ = guided(body, to(GOAL))
     assert it.end == "error"
     assert "EGM" in it.run.diagnostics[0].violation.message
+
+
+def test_another_mode_than_that_of_the_setup_has_the_event_of_the_controller() -> None:
+    it, _ = guided(
+        'EGMGetId id;\n EGMSetupUC ROB_1, id, "default", "x" \\Pose;\n EGMActJoint id;', to(GOAL)
+    )
+    assert it.end == "error"
+    assert it.run.diagnostics[0].violation.cf == "ABB 41826"
+
+
+def test_a_pose_is_reached_within_a_millimetre_by_default() -> None:
+    # 0.9 mm beside the goal is near enough where \x is not given.
+    head = POSE.replace(r"\x:=near \y:=near \z:=near \rx:=near \ry:=near \rz:=near ", "")
+    it, devices = guided(
+        "    prepare;\n    " + RUN_POSE + r" \PosCorrGain:=0;", beside(0.9, -0.9), head
+    )
+    assert it.end == "ended"
+    first, last = devices.sensor.heard[0], devices.sensor.heard[-1]
+    assert np.allclose(first.position, last.position)
 
 
 SIGNALS = CellIo(
