@@ -13,7 +13,9 @@ from rapidsim.language.errors import NotAllowed
 from rapidsim.values import value_class
 
 _LOOPBACK: Final = frozenset({"", "localhost", "127.0.0.1"})
-_DOMAIN, _TYPE = "SIO", "COM_TRP"
+_DOMAIN = "SIO"
+_ADDRESSES: Final = (("COM_TRP", "remoteadress"), ("UDPUC_HOST", "remoteaddress"))
+"""Types with devices, and their attribute with the host: of RobotWare 6 (so spelled), and of 7."""
 
 
 class Address(NamedTuple):
@@ -77,10 +79,11 @@ def sensor_devices(
         configured: The system parameters.
         hosts: Other computers that programs may connect to.
     """
-    rows = SystemParameters(configured).instances(_DOMAIN, _TYPE) or ()
+    parameters = SystemParameters(configured)
     found = {
-        row.get("name", ""): Address(row.get("remoteadress", DEFAULT.host), port)
-        for row in rows
+        row.get("name", ""): Address(row.get(host, DEFAULT.host), port)
+        for type_, host in _ADDRESSES
+        for row in parameters.instances(_DOMAIN, type_) or ()
         if row.get("type", "").upper() == "UDPUC"
         and (port := _port(row.get("remoteportnumber", str(DEFAULT.port))))
     }
