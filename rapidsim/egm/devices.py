@@ -44,6 +44,8 @@ class SensorDevices:
     names: tuple[str, ...] = ()
     """Names as written."""
     hosts: frozenset[str] = frozenset()
+    any_port: bool = False
+    """Whether a sensor may answer from any port of its computer."""
 
     def address(self, device: str) -> Address:
         """The address of a device's sensor.
@@ -70,7 +72,11 @@ class SensorDevices:
 
 
 def sensor_devices(
-    addresses: Iterable[tuple[str, Address]], configured: Configured, hosts: frozenset[str]
+    addresses: Iterable[tuple[str, Address]],
+    configured: Configured,
+    hosts: frozenset[str],
+    *,
+    any_port: bool = False,
 ) -> SensorDevices:
     """The devices of a controller.
 
@@ -78,6 +84,7 @@ def sensor_devices(
         addresses: Devices from the command line, which override the configuration.
         configured: The system parameters.
         hosts: Other computers that programs may connect to.
+        any_port: Whether a sensor may answer from any port of its computer.
     """
     parameters = SystemParameters(configured)
     found = {
@@ -94,6 +101,7 @@ def sensor_devices(
         {name.lower(): address for name, address in found.items()},
         tuple(names.values()),
         hosts,
+        any_port,
     )
 
 

@@ -47,7 +47,7 @@ class GuidedSensors:
         address = self.devices.address(device)
         self._last += 1
         self._replies[self._last] = []
-        self.send(self._last, OpenSensor(address, self.began_s, self.speed))
+        self.send(self._last, OpenSensor(address, self.began_s, self.speed, self.devices.any_port))
         return GuidedSensor(self, self._last)
 
     def close(self) -> None:

@@ -44,6 +44,8 @@ class OpenSensor:
     """Start of virtual time [s] on the wall clock, which all processes share."""
     speed: float
     """Virtual seconds per second of the wall clock."""
+    any_port: bool = False
+    """Whether the sensor may answer from any port of its computer."""
 
 
 @value_class(frozen=True, slots=True)
@@ -282,7 +284,8 @@ def _pass(
     while connection.poll():
         number, order = connection.recv()
         if isinstance(order, OpenSensor):
-            sessions[number] = _SensorSession(number, order, ports.to(order.address))
+            to = ports.to(order.address, any_port=order.any_port)
+            sessions[number] = _SensorSession(number, order, to)
         elif number in sessions:
             sessions[number].follow(order)
             if isinstance(order, CloseSensor):

@@ -41,7 +41,7 @@ class ExternalMotionData:
     gain: float
     """Kp [1/s]."""
     bandwidth_hz: float
-    """Of the goal's filter [Hz] and of that of the speed [rad/s]; see `joint_law`."""
+    """Bandwidth of the goal's filter [Hz], and of the speed's [rad/s]; see `joint_law`."""
     ramp_s: float
 
 

@@ -72,7 +72,7 @@ class GuidedExecution:
     is_over: bool = False
     """Whether the robot is at rest and will not move any more."""
     start: Array = field(init=False)
-    _led: tuple[Array, Array] | None = None
+    _delayed: tuple[Array, Array] | None = None
     """Filtered goal and its speed of the last cycle, which the drives follow in this one."""
     _cycles: int = 0
     _silent: int = 0
@@ -118,9 +118,9 @@ class GuidedExecution:
             return False
         ramp_s = self.terms.ramp_in_s
         share = 1.0 if ramp_s <= 0.0 else min(1.0, self._cycles * CYCLE_S / ramp_s)
-        led, self._led = self._led, goal
-        if led is not None:
-            self.motion.towards(led[0], self.tuning, led[1], share)
+        delayed, self._delayed = self._delayed, goal
+        if delayed is not None:
+            self.motion.towards(delayed[0], self.tuning, delayed[1], share)
         is_near = self.has_answer and self.aim.is_met(self.motion.joints)
         self._near = self._near + 1 if is_near else 0
         self.is_met = is_near and self._near * CYCLE_S >= self.terms.condition_s
