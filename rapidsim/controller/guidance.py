@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from dataclasses import field
+from dataclasses import field, replace
 from typing import ClassVar, Final
 
 from rapidsim.controller.cell.cell import Cell
@@ -27,6 +27,7 @@ from rapidsim.controller.moves.guidance_start import (
 from rapidsim.controller.moves.resolve import Resolver
 from rapidsim.controller.path_correction import ActivePathCorrection
 from rapidsim.controller.queue.mechanical_unit import MechanicalUnit
+from rapidsim.controller.sensor_exchange import data_for_sensor, take_answer
 from rapidsim.controller.sensor_identities import ActiveGuidance, SensorIdentity
 from rapidsim.controller.sensor_streams import SensorStream
 from rapidsim.controller.signal_sensor import SignalSensor
@@ -36,6 +37,7 @@ from rapidsim.language.errors import NotAllowed, RapidError
 from rapidsim.language.guidance import (
     CONNECTED,
     DISCONNECTED,
+    NO_EXCHANGE,
     RUNNING,
     Activation,
     GuidanceTerms,
@@ -95,6 +97,7 @@ class TaskGuidance:
         data = external_motion_data(self.cell.parameters, setup.configuration)
         self._close(one)
         one.setup, one.data, one.activation, one.sample_s = setup, data, None, None
+        one.exchange = NO_EXCHANGE
         one.sensor, one.state = self._sensor(setup), CONNECTED
 
     def activate(self, identity: int, activation: Activation) -> None:
@@ -108,9 +111,11 @@ class TaskGuidance:
             )
         if one.state == RUNNING:
             raise NotAllowed("the sensor guides the robot; EGMStop ends that")
-        one.activation = activation
+        one.activation, one.exchange = activation, activation.exchange
         if activation.streams:
             self._stream(one, activation.sample_s)
+        elif one.stream is not None:
+            self._stream(one, one.stream.sample_s)
 
     def guide(self, identity: int, terms: GuidanceTerms) -> None:
         """Let the sensor guide the robot."""
@@ -250,10 +255,11 @@ class TaskGuidance:
         due_s = min(corrected_s, math.inf if under_way is None else under_way.next_s)
         for one, stream in self._streams():
             if stream.next_s <= due_s:
-                now_s, activation = stream.next_s, one.activation
-                tool = None if activation is None else activation.tool
-                wobj = None if activation is None else activation.wobj
-                stream.send_due(self.unit, self.resolver, self.state_of_motion, tool, wobj)
+                now_s, sent = stream.next_s, data_for_sensor(one.exchange, self.cell)
+                answer = stream.send_due(
+                    self.unit, self.resolver, self.state_of_motion, one.activation, sent
+                )
+                take_answer(one.exchange, answer, self.cell, self.clock.cause(), now_s)
                 return now_s
         if corrected_s <= due_s:
             return self._sample(passed_s)
@@ -281,7 +287,9 @@ class TaskGuidance:
         assert identity.sensor is not None
         identity.stream = None
         if sample_s is not None:
-            identity.stream = SensorStream(identity.sensor, sample_s, self.clock.resolve_time())
+            now_s, awaits = self.clock.resolve_time(), identity.exchange.receives
+            identity.stream = SensorStream(identity.sensor, sample_s, now_s, awaits)
+            identity.stream.begin(now_s)
             self.clock.grant()
 
     def _cycle(self, active: ActiveGuidance) -> float:
@@ -290,11 +298,10 @@ class TaskGuidance:
         identity, run = active.identity, active.run
         assert identity.sensor is not None
         if active.cycles % active.schedule.samples == 0:
-            answer = identity.sensor.exchange(active.schedule.feedback(run, now_s))
-        assert identity.activation is not None
-        values = identity.activation.values
-        if answer is not None and values is not None:
-            values[: len(answer.values)] = answer.values[: len(values)]
+            sent = data_for_sensor(identity.exchange, self.cell)
+            told = replace(active.schedule.feedback(run, now_s), sent=sent)
+            answer = identity.sensor.exchange(told)
+            take_answer(identity.exchange, answer, self.cell, self.clock.cause(), now_s)
         active.step(answer)
         if run.is_over:
             self.unit.end_guidance()
@@ -310,6 +317,7 @@ class TaskGuidance:
         assert identity.setup is not None
         assert identity.sensor is not None
         member = self.unit.member
+        identity.exchange = terms.exchange.over(identity.activation.exchange)
         asked = GuidanceRequest(identity.setup, identity.data, identity.activation, terms)
         run, told, stretch = started(
             asked,
@@ -318,6 +326,7 @@ class TaskGuidance:
             member.limits,
             member.standing(),
             self.clock.resolve_time(),
+            data_for_sensor(identity.exchange, self.cell),
         )
         self._active = ActiveGuidance(identity, run, told, stretch, terms.waits, self._settle)
         self._last = None
@@ -435,7 +444,7 @@ class TaskGuidance:
         identity.sensor.end(under_way.schedule.feedback(under_way.run, under_way.next_s))
         if identity.stream is not None:
             identity.stream.guided = Guided.FAILED if ended.is_failure else Guided.STOPPED
-            identity.stream.next_s = under_way.next_s
+            identity.stream.begin(under_way.next_s)
         if ended is EndReason.SILENT and not under_way.run.has_answer:
             self._discard_feedback(identity)
         self._active, self._last = None, (identity, ended)

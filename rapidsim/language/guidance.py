@@ -45,6 +45,37 @@ class SensorSetup:
 
 
 @value_class(frozen=True, slots=True)
+class Exchange:
+    """Data and signals that the program exchanges with the sensor beside goals and positions."""
+
+    numbers_to: list[float] | None = None
+    """Array that the sensor receives with each message; it is read then."""
+    output_to: str | None = None
+    """Digital output whose value the sensor receives."""
+    numbers_from: list[float] | None = None
+    """Array that receives the numbers of the sensor's answers."""
+    input_from: str | None = None
+    """Digital input that takes the value in the sensor's answers."""
+
+    def over(self, before: Exchange) -> Exchange:
+        """Return the exchange whose parts replace those of an earlier instruction."""
+        return Exchange(
+            before.numbers_to if self.numbers_to is None else self.numbers_to,
+            self.output_to or before.output_to,
+            before.numbers_from if self.numbers_from is None else self.numbers_from,
+            self.input_from or before.input_from,
+        )
+
+    @property
+    def receives(self) -> bool:
+        """Whether the program receives anything from the sensor."""
+        return self.numbers_from is not None or self.input_from is not None
+
+
+NO_EXCHANGE: Final = Exchange()
+
+
+@value_class(frozen=True, slots=True)
 class PoseFrames:
     """The frames to which poses refer; types are those of egmframetype."""
 
@@ -71,8 +102,7 @@ class Activation:
     """Largest distance [deg] of an axis from where the guidance began."""
     frames: PoseFrames | None = None
     """Frames of poses; None for joints."""
-    values: list[float] | None = None
-    """Receives the numbers that the sensor sends with its answers."""
+    exchange: Exchange = NO_EXCHANGE
     streams: bool = False
 
 
@@ -91,6 +121,8 @@ class GuidanceTerms:
     gain: float
     """PosCorrGain, 0..1."""
     offset: Pose | None = None
+    exchange: Exchange = NO_EXCHANGE
+    """Replaces parts of that of the activation."""
 
 
 class Guidance(Protocol):

@@ -10,15 +10,12 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
-from types import MappingProxyType
 from typing import Annotated, Final, Unpack, cast, overload
 
 from rapidsim.language import types
 from rapidsim.language.annotations import (
-    Dnum,
     MecUnit,
     Num,
-    ParameterMode,
     Pers,
     String,
     Switch,
@@ -30,6 +27,7 @@ from rapidsim.language.error_numbers import ERR_ARGVALERR, rapid_error
 from rapidsim.language.guidance import (
     RAMP_DOWN,
     Activation,
+    Exchange,
     Guidance,
     GuidanceTerms,
     PoseFrames,
@@ -47,12 +45,12 @@ from rapidsim.library.guidance_arguments import (
     AnalogInputs,
     AnalogOutputs,
     EgmIdent,
-    Exchange,
     GroupInputs,
     JointBands,
     JointSwitches,
     PoseBands,
     PoseSwitches,
+    exchange_of,
     identity_number,
     sample_s,
 )
@@ -171,14 +169,13 @@ def egm_setup_gi(
 
 
 def egm_act_joint(
-    controller: Controller,
+    controller: Guidance,
     egmid: Var[EgmIdent],
     *,
     stream_start: Switch = False,
     tool: Pers[ToolData] | None = None,
     wobj: Pers[WobjData] | None = None,
     tload: Pers[LoadData] | None = None,
-    data_from_sensor: Annotated[list[Dnum], ParameterMode.INOUT] | None = None,
     lp_filter: Num | None = None,
     sample_rate: Num | None = None,
     max_pos_deviation: Num | None = None,
@@ -187,8 +184,7 @@ def egm_act_joint(
 ) -> None:
     """Let the sensor send joint goals, with the bands within which they are reached."""
     del tload
-    note_ignored_options(controller.fidelity, "EGMActJoint", _exchanged(bands))
-    controller.guidance.activate(
+    controller.activate(
         identity_number(egmid, "EGMActJoint"),
         Activation(
             tuple(bands.get(name) for name in JOINTS),  # type: ignore[misc]
@@ -198,14 +194,14 @@ def egm_act_joint(
             sample_s(sample_rate),
             _positive("MaxSpeedDeviation", max_speed_deviation, MAX_SPEED_DEVIATION),
             _positive("MaxPosDeviation", max_pos_deviation, MAX_POS_DEVIATION),
-            values=data_from_sensor,
+            exchange=exchange_of(bands),
             streams=stream_start,
         ),
     )
 
 
 def egm_act_pose(
-    controller: Controller,
+    controller: Guidance,
     egmid: Var[EgmIdent],
     corr_frame: Pose,
     corr_fr_type: EgmFrameType,
@@ -216,7 +212,6 @@ def egm_act_pose(
     tool: Pers[ToolData] | None = None,
     wobj: Pers[WobjData] | None = None,
     tload: Pers[LoadData] | None = None,
-    data_from_sensor: Annotated[list[Dnum], ParameterMode.INOUT] | None = None,
     lp_filter: Num | None = None,
     sample_rate: Num | None = None,
     max_pos_deviation: Num | None = None,
@@ -225,8 +220,7 @@ def egm_act_pose(
 ) -> None:
     """Let the sensor send poses of the TCP as goals, with their frames and bands."""
     del tload
-    note_ignored_options(controller.fidelity, "EGMActPose", _exchanged(bands))
-    controller.guidance.activate(
+    controller.activate(
         identity_number(egmid, "EGMActPose"),
         Activation(
             tuple(bands.get(name) for name in POSE_AXES),  # type: ignore[misc]
@@ -237,14 +231,14 @@ def egm_act_pose(
             _positive("MaxSpeedDeviation", max_speed_deviation, MAX_SPEED_DEVIATION),
             _positive("MaxPosDeviation", max_pos_deviation, MAX_POS_DEVIATION),
             frames=PoseFrames(corr_frame, corr_fr_type, sensor_frame, sensor_fr_type),
-            values=data_from_sensor,
+            exchange=exchange_of(bands),
             streams=stream_start,
         ),
     )
 
 
 def egm_run_joint(
-    controller: Controller,
+    controller: Guidance,
     egmid: Var[EgmIdent],
     mode: EgmStopMode,
     *,
@@ -256,7 +250,6 @@ def egm_run_joint(
     **chosen: Unpack[JointSwitches],
 ) -> None:
     """Let the sensor move the joints until they have reached its goal."""
-    note_ignored_options(controller.fidelity, "EGMRunJoint", _exchanged(chosen))
     terms = _terms(
         [bool(chosen.get(name)) for name in JOINTS],
         mode,
@@ -264,12 +257,13 @@ def egm_run_joint(
         (cond_time, ramp_in_time, ramp_out_time),
         pos_corr_gain,
         None,
+        exchange_of(chosen),
     )
-    controller.guidance.guide(identity_number(egmid, "EGMRunJoint"), terms)
+    controller.guide(identity_number(egmid, "EGMRunJoint"), terms)
 
 
 def egm_run_pose(
-    controller: Controller,
+    controller: Guidance,
     egmid: Var[EgmIdent],
     mode: EgmStopMode,
     *,
@@ -282,7 +276,6 @@ def egm_run_pose(
     **chosen: Unpack[PoseSwitches],
 ) -> None:
     """Let the sensor move the TCP until it has reached its goal."""
-    note_ignored_options(controller.fidelity, "EGMRunPose", _exchanged(chosen))
     terms = _terms(
         [bool(chosen.get(name)) for name in POSE_AXES],
         mode,
@@ -290,8 +283,9 @@ def egm_run_pose(
         (cond_time, ramp_in_time, ramp_out_time),
         pos_corr_gain,
         offset,
+        exchange_of(chosen),
     )
-    controller.guidance.guide(identity_number(egmid, "EGMRunPose"), terms)
+    controller.guide(identity_number(egmid, "EGMRunPose"), terms)
 
 
 def egm_wait_cond(controller: Guidance, egmid: Var[EgmIdent]) -> None:
@@ -363,6 +357,7 @@ def _terms(
     times: tuple[float | None, float | None, float | None],
     gain: float | None,
     offset: Pose | None,
+    exchange: Exchange,
 ) -> GuidanceTerms:
     condition, ramp_in, ramp_out = times
     gain = _positive("PosCorrGain", gain, 1.0)
@@ -377,6 +372,7 @@ def _terms(
         _positive("RampOutTime", ramp_out),
         gain,
         offset,
+        exchange,
     )
 
 
@@ -392,21 +388,6 @@ def _positive(name: str, value: float | None, default: float | None = None) -> f
         raise rapid_error(ERR_ARGVALERR, f"{name} is {value:g}; it cannot be negative")
     return value
 
-
-def _exchanged(options: Exchange) -> Mapping[str, object]:
-    """Options whose values a run does not exchange with the sensor."""
-    return {spelled: options.get(name) for name, spelled in _EXCHANGED.items()}
-
-
-_EXCHANGED: Mapping[str, str] = MappingProxyType(
-    {
-        "data_to_sensor": r"\DataToSensor",
-        "do_to_sensor": r"\DOToSensor",
-        "di_from_sensor": r"\DIFromSensor",
-        "data_from_sensor": r"\DataFromSensor",
-    }
-)
-"""Options not yet sent on the wire, except the values that EGMActJoint and EGMActPose receive."""
 
 _SOURCE = r"MecUnit EGMid ExtConfigName"
 _PURPOSE = r"\Joint|\Pose|\PathCorr \APTR|\LATR"

@@ -15,7 +15,7 @@ from rapidsim.controller.cell.description import (
     SignalKind,
     Stimulus,
 )
-from rapidsim.motion.guidance.feedback import Feedback, Guided
+from rapidsim.motion.guidance.feedback import Feedback, Guided, ProgramData
 from rapidsim.motion.guidance.sensor import SensorAnswer
 
 HEAD = r"""MODULE guided
@@ -236,6 +236,75 @@ def test_a_stream_tells_where_the_robot_is_on_its_way() -> None:
         assert np.allclose(joints_at(it, one.time_s), one.joints, atol=1e-6)
     assert max(one.joints[0] for one in told) == pytest.approx(30.0)
     assert {one.guided for one in told} == {Guided.NOT_YET}
+
+
+EXCHANGED = HEAD.replace(
+    "  PROC prepare",
+    "  PERS dnum out{2} := [1,2];\n  PERS dnum got{3} := [0,0,0];\n  PROC prepare",
+).replace(
+    r"id,\Tool:=tool0",
+    r"id,\Tool:=tool0 \DOToSensor:=doReady \DIFromSensor:=diGo \DataToSensor:=out"
+    r" \DataFromSensor:=got",
+)
+BOTH = CellIo(
+    signals=(
+        SignalDeclaration("doReady", SignalKind.DO),
+        SignalDeclaration("diGo", SignalKind.DI),
+        SignalDeclaration("doOther", SignalKind.DO, value=1.0),
+    )
+)
+
+
+def test_data_and_signals_go_both_ways_with_the_messages() -> None:
+    # The array and the output are read with each message; what the sensor sends is there at once.
+    def script(told: Feedback) -> SensorAnswer:
+        return SensorAnswer(joints=GOAL, values=(5.0, 6.0), digital=told.sent.digital)
+
+    body = f"""    prepare 1;
+    {RUN.replace("HOLD,", "HOLD," + chr(92) + "NoWaitCond").replace("0.1", "1E9")};
+    WaitTime 0.5;
+    TPWrite ValToStr(got) + " " + ValToStr(DOutput(doReady)) + ValToStr(TestDI(diGo));
+    SetDO doReady, 1;
+    out := [3,4];
+    WaitDI diGo, 1 \\MaxTime:=0.1;
+    WaitTime 0.1;
+    EGMStop id, EGM_STOP_HOLD;"""
+    it, devices = sensed(f"{EXCHANGED}  PROC main()\n{body}\n  ENDPROC\nENDMODULE\n", script, BOTH)
+    assert (it.end, it.texts) == ("ended", ["[5,6,0] 0FALSE"])
+    sent = [one.sent for one in devices.sensor.heard if one.guided is Guided.RUNNING]
+    assert sent[0] == ProgramData(False, (1.0, 2.0))
+    assert sent[-1] == ProgramData(True, (3.0, 4.0))
+    assert not [code for code, _line in it.findings if code == "R119"]
+
+
+def test_a_run_may_exchange_other_data_than_its_activation() -> None:
+    body = f"    prepare 1;\n    {RUN} \\DOToSensor:=doOther;"
+    it, devices = sensed(
+        f"{EXCHANGED}  PROC main()\n{body}\n  ENDPROC\nENDMODULE\n", to(GOAL), BOTH
+    )
+    assert it.end == "ended"
+    assert devices.sensor.heard[0].sent == ProgramData(True, (1.0, 2.0))
+
+
+def test_a_stream_exchanges_data_as_well() -> None:
+    body = r"""    MoveAbsJ home, v1000, fine, tool0;
+    EGMGetId id;
+    EGMSetupUC ROB_1, id, "default", "UCdevice" \Joint;
+    EGMActJoint id \StreamStart \SampleRate:=8 \DataToSensor:=out \DataFromSensor:=got
+      \DIFromSensor:=diGo;
+    WaitDI diGo, 1 \MaxTime:=1;
+    TPWrite ValToStr(got);
+    EGMStreamStop id;"""
+
+    def script(told: Feedback) -> SensorAnswer:
+        return SensorAnswer(values=(told.time_s,), digital=told.time_s > 0.3)
+
+    it, devices = sensed(f"{EXCHANGED}  PROC main()\n{body}\n  ENDPROC\nENDMODULE\n", script, BOTH)
+    assert it.end == "ended"
+    heard = devices.sensor.heard
+    assert np.allclose(np.diff([one.time_s for one in heard]), 0.008, atol=1e-9)
+    assert it.texts == [f"[{heard[-1].time_s:g},0,0]"]
+    assert {one.guided for one in heard} == {Guided.NOT_YET}
 
 
 POSE = r"""MODULE guided

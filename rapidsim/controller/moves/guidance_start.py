@@ -16,7 +16,7 @@ from rapidsim.language.data import UNUSED_AXIS, EgmMinMax, ExtJoint
 from rapidsim.language.errors import NotAllowed
 from rapidsim.language.guidance import Activation, GuidanceTerms, SensorSetup
 from rapidsim.motion.geometry.segments import Waypoint
-from rapidsim.motion.guidance.feedback import GuidedFeedback
+from rapidsim.motion.guidance.feedback import GuidedFeedback, ProgramData
 from rapidsim.motion.guidance.goals import Band, GuidanceGoal, JointGoal
 from rapidsim.motion.guidance.guided_execution import EndConditions, GuidedExecution
 from rapidsim.motion.guidance.joint_law import CYCLE_S, GuidedAxes, JointMotion, Tuning
@@ -86,6 +86,7 @@ def started(
     limits: Limits,
     waypoint: Waypoint,
     now_s: float,
+    sent: ProgramData,
 ) -> tuple[GuidedExecution, FeedbackSchedule, GuidedSection]:
     """Build a guidance that begins at the next cycle.
 
@@ -96,6 +97,7 @@ def started(
         limits: Of its axes.
         waypoint: Position of the robot.
         now_s: Time [s].
+        sent: Data of the program for the sensor.
 
     Raises:
         NotAllowed: If frames are invalid or not simulated.
@@ -131,6 +133,7 @@ def started(
         math.ceil(now_s / CYCLE_S - _ROUNDING) * CYCLE_S,
         max(1, round(activation.sample_s / CYCLE_S)),
         GuidedFeedback(frames, used_axes(resolver.ext_joint(waypoint.external))),
+        sent,
     )
     stretch = GuidedSection(
         told.first_s,
