@@ -49,7 +49,7 @@ def test_a_sensor_keeps_the_port_of_its_first_answer() -> None:
                 answers += sensor.receive()
             assert (answers, sensor.dropped) == counted
         # A later program, or the same after EGMReset, may have another sensor.
-        second.sendto(ANSWER, ("127.0.0.1", sensor.stream.getsockname()[1]))
+        second.sendto(ANSWER, ("127.0.0.1", ports.to(address).stream.getsockname()[1]))
         assert ports.to(address).take() is None
     ports.close()
 
