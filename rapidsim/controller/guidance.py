@@ -127,6 +127,8 @@ class TaskGuidance:
         if self.unit.team is not None:
             raise NotAllowed("robots that move together cannot be guided by a sensor")
         self._end_correction()
+        if len(terms.chosen) == len(one.activation.bands) and not any(terms.chosen):
+            return
         if len(terms.chosen) != len(one.activation.bands):
             raise NotAllowed(
                 "EGMRunJoint follows EGMActJoint, and EGMRunPose EGMActPose", _OTHER_MODE
@@ -189,7 +191,7 @@ class TaskGuidance:
         one, _ = self._connected(identity)
         self.clock.note_line()
         self.clock.synchronise()
-        under_way = self._active
+        one.stream, under_way = None, self._active
         if self._corrects(one):
             self._end_correction()
         if under_way is None or under_way.identity is not one:
@@ -227,7 +229,9 @@ class TaskGuidance:
         self.clock.synchronise()
         self._settle()
         one = self._identities.get(identity)
-        return DISCONNECTED if one is None else one.state
+        if one is None:
+            return DISCONNECTED
+        return one.state if one.stream is None else RUNNING
 
     def forget_all(self) -> None:
         """Close all connections to sensors, because the program is unloaded."""
@@ -442,9 +446,7 @@ class TaskGuidance:
         identity, ended = under_way.identity, under_way.run.ended or EndReason.STOPPED
         assert identity.sensor is not None
         identity.sensor.end(under_way.schedule.feedback(under_way.run, under_way.next_s))
-        if identity.stream is not None:
-            identity.stream.guided = Guided.FAILED if ended.is_failure else Guided.STOPPED
-            identity.stream.begin(under_way.next_s)
+        identity.stream = None
         if ended is EndReason.SILENT and not under_way.run.has_answer:
             self._discard_feedback(identity)
         self._active, self._last = None, (identity, ended)

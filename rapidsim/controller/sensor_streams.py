@@ -51,11 +51,9 @@ class SensorStream:
     """Time [s] of the next read of the position."""
     awaits: bool = False
     """Whether the program receives data from the sensor's answers."""
-    guided: Guided = Guided.NOT_YET
-    """State of guidance that the sensor receives with the position."""
 
     def begin(self, now_s: float) -> None:
-        """Begin, or go on after a guidance, at a time [s]."""
+        """Begin at a time [s]."""
         self.next_s = now_s
         if self.awaits:
             self.next_s = math.ceil(now_s / self.sample_s - _ROUNDING) * self.sample_s
@@ -76,7 +74,7 @@ class SensorStream:
         tool = None if activation is None else activation.tool
         wobj = None if activation is None else activation.wobj
         frames = partial(told_frames, resolver, state, tool, wobj)
-        stream = feedback_at(unit, resolver, frames, times, self.guided)
+        stream = feedback_at(unit, resolver, frames, times, Guided.NOT_YET)
         stream = [replace(feedback, sent=sent) for feedback in stream]
         if not self.awaits or self.sensor.has_lookahead:
             self.sensor.stream(stream)

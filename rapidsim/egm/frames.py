@@ -30,7 +30,7 @@ _MOST: Final = 1e9
 _UINT32: Final = 2**32
 _EPOCH_S: Final = int(START_OF_TIME.replace(tzinfo=UTC).timestamp())
 _MCI: Final = {
-    Guided.NOT_YET: MciState.UNDEFINED,
+    Guided.NOT_YET: MciState.STOPPED,
     Guided.RUNNING: MciState.RUNNING,
     Guided.STOPPED: MciState.STOPPED,
     Guided.FAILED: MciState.ERROR,

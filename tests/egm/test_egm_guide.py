@@ -119,7 +119,7 @@ def test_a_stream_goes_on_where_the_controller_says_nothing_new() -> None:
     assert [one["header"]["tm"] - first for one in frames] == [4 * k for k in range(8)]
     joints = [one["feedBack"]["joints"]["joints"] for one in frames]
     assert joints[4:] == [list(stream[4].joints)] * 4
-    assert {one["mciState"]["state"] for one in frames} == {0}
+    assert {one["mciState"]["state"] for one in frames} == {2}
 
 
 def test_what_is_streamed_of_a_corrected_path_is_answered() -> None:

@@ -163,6 +163,8 @@ def test_without_axes_nothing_moves() -> None:
     )
     assert it.end == "ended"
     assert np.allclose(joints_at(it, end_s(it)), (0, 0, 0, 0, 30, 0), atol=1e-9)
+    # The program goes on at once.
+    assert end_s(it) < 0.2
 
 
 def test_no_axis_gets_further_from_its_start_than_permitted() -> None:
@@ -236,6 +238,26 @@ def test_a_stream_tells_where_the_robot_is_on_its_way() -> None:
         assert np.allclose(joints_at(it, one.time_s), one.joints, atol=1e-6)
     assert max(one.joints[0] for one in told) == pytest.approx(30.0)
     assert {one.guided for one in told} == {Guided.NOT_YET}
+
+
+def test_a_stream_runs_until_a_guidance_or_egm_stop_ends_it() -> None:
+    it, devices = guided(
+        f"""    prepare 1;
+    EGMStreamStart id;
+    WaitTime 0.1;
+    TPWrite "streams: " \\Num:=EGMGetState(id);
+    EGMStop id, EGM_STOP_HOLD;
+    TPWrite "stopped: " \\Num:=EGMGetState(id);
+    WaitTime 0.1;
+    EGMStreamStart id;
+    {RUN};
+    TPWrite "guided: " \\Num:=EGMGetState(id);
+    WaitTime 0.1;""",
+        to(GOAL),
+    )
+    assert it.texts == ["streams: 2", "stopped: 1", "guided: 1"]
+    streamed = [one.time_s for one in devices.sensor.streamed]
+    assert len(streamed) < 40
 
 
 EXCHANGED = HEAD.replace(
