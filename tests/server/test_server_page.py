@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import asyncio
+import json
 from base64 import b64encode
 from pathlib import Path
 from typing import Any
@@ -11,7 +13,8 @@ import pytest
 from browser import CHROMIUM, opened
 from served_controller import Served, serve
 
-from rapidsim.simulation.live import signals
+from rapidsim.simulation.live import signals, symbols
+from rapidsim.simulation.live.states import Motors
 
 PROGRAM = r"""MODULE job
   ! A line with <b>marks</b> & "quotes".
@@ -160,8 +163,141 @@ def test_a_browser_shows_the_controller_and_its_buttons_do_what_they_say(tmp_pat
             await page.value("document.getElementById('motors').click()")
             await page.until("document.getElementById('start').disabled")
             assert await page.value("document.getElementById('trouble').hidden")
+            assert not page.errors
 
     serve(cell(tmp_path), None, use)
+
+
+@pytest.mark.process
+@pytest.mark.screen
+@pytest.mark.skipif(CHROMIUM is None, reason="no browser is here")
+def test_a_browser_jogs_loads_steps_and_explains(tmp_path: Path) -> None:
+    async def use(served: Served) -> None:
+        live = served.engine.live
+        address = served.base.replace("//", "//Default%20User:robotics@")
+
+        async def click(selector: str) -> None:
+            key = _one(selector)
+            await page.until(f"{key} && !{key}.disabled")
+            await page.value(f"{key}.click()")
+
+        async def jogged() -> None:
+            """Let a step that a button wants begin and end."""
+            trajectory = live.task("T_ROB1").unit.trajectory
+            while trajectory.duration <= live.now_s:
+                await asyncio.sleep(0.02)
+            live.advance(live.now_s + 5.0)
+
+        async def choose(selector: str, value: str) -> None:
+            await page.value(
+                f"(() => {{ const one = {_one(selector)}; one.value = {json.dumps(value)};"
+                " one.dispatchEvent(new Event('change')); })()"
+            )
+
+        async with opened(f"{address}/ui", tmp_path) as page:
+            await page.until("document.querySelector('#text li.pointer')")
+            await page.until(f"{_one('#arm')}.width > 0")
+            await choose("#speed", "50")
+            await page.until(f"{_one('#percent')}.textContent === '50 %'")
+            assert live.speed_ratio == 50
+            await page.value(f"{_one('#jogging')}.open = true")
+            await page.until(f"{_one('.refusal')}.textContent.includes('manual mode')")
+            assert await page.value(f"{_one('.step')}.disabled")
+            await choose("#mode", "MANR")
+            await page.until(f"{_one('#motors')}.textContent === 'Motors on'")
+            await click("#motors")
+            await click("[data-step='J1+']")
+            await jogged()
+            joints = "[...document.querySelectorAll('#joints div')].map((one) => one.textContent)"
+            await page.until(f"{joints}[0].endsWith('5.00')")
+            # What the arm cannot do is said before it is tried.
+            await choose("[data-choice=angle]", "30")
+            await click("[data-step='J3+']")
+            await jogged()
+            await page.until(f"{_one('.step:disabled')}")
+            assert "joint 3" in await page.value(f"{_one('.step:disabled')}.title")
+            assert "joint 3" in await page.value(f"{_one('.axis small:not(:empty)')}.textContent")
+            await choose("[data-choice=frame]", "tool")
+            await click("[data-step='x−']")
+            await jogged()
+            await page.value(f"{_one('#arm')}.focus()")
+            before = await page.value("look.turn")
+            await page.key("ArrowLeft")
+            assert await page.value("look.turn") != before
+            # Data are read and set.
+            await page.value(f"{_one('#values')}.open = true")
+            await page.until(f"{_one('#data tr[data-name=rounds] input')}")
+            await choose("#data tr[data-name=rounds] input", "41")
+            assert (
+                symbols.read(live.task("T_ROB1"), symbols.find(live.task("T_ROB1"), "rounds"))
+                == "41"
+            )
+            # A module is loaded, its routine chosen and stepped through until it fails.
+            await page.value(
+                "(() => { const files = new DataTransfer(); files.items.add(new File("
+                f"[{json.dumps(OTHER)}], 'other.mod')); {_one('#upload')}.files = files.files;"
+                f" {_one('#upload')}.dispatchEvent(new Event('change')); }})()"
+            )
+            modules = f"[...{_one('#module')}.options]"
+            await page.until(f"{modules}.some((one) => one.value === 'other')")
+            await choose("#routine", "fails")
+            await click("#go")
+            await page.until(f"{_one('#text li.pointer')}.textContent.includes('PROC fails')")
+            for button in ("#step", "#over"):
+                await click(button)
+                live.advance(live.now_s + 0.5)
+                await page.until(f"{_one('#stop')}.disabled")
+            await click("#start")
+            live.advance(live.now_s + 0.5)
+            await page.until(f"{_one('#log .error button')}")
+            await page.value(f"{_one('#log .error button')}.click()")
+            await page.until(f"{_one('#text li.found')}")
+            assert "1 / 0" in await page.value(f"{_one('#text li.found')}.textContent")
+            await page.value(
+                "[...document.querySelectorAll('#log button')].at(0).nextSibling.click()"
+            )
+            await page.until(f"{_one('#explanation')}.open")
+            assert "R101" in await page.value(f"{_one('#rule')}.textContent")
+            await click("#explanation button")
+            for kind, begins in (("#download", "MODULE other"), ("#backup", "PK")):
+                address = f"location.origin + {_one(kind)}.getAttribute('href')"
+                text = await page.value(f"fetch({address}).then((one) => one.text())")
+                assert text.startswith(begins)
+            await click("#main")
+            await choose("#module", "other")
+            await page.value(f"{_one('#follow')}.checked = false")
+            await click("#unload")
+            await page.until(
+                f"![...{_one('#module')}.options].some((one) => one.value === 'other')"
+            )
+            for name, width, height, dark in (
+                ("jog", 1280, 1400, False),
+                ("jog_phone", 390, 2400, False),
+                ("jog_dark", 1280, 1400, True),
+            ):
+                await page.picture(tmp_path / f"{name}.png", width, height, dark=dark)
+                wide = "document.documentElement.scrollWidth - window.innerWidth"
+                assert await page.value(wide) <= 0
+            await click("#quick")
+            await page.until(f"{_one('#start')}.disabled")
+            assert live.motors is Motors.OFF
+            assert not page.errors
+
+    serve(cell(tmp_path), None, use)
+
+
+OTHER = """MODULE other
+  PROC fails()
+    VAR num x;
+    x := 2;
+    x := 1 / 0;
+  ENDPROC
+ENDMODULE
+"""
+
+
+def _one(selector: str) -> str:
+    return f"document.querySelector({json.dumps(selector)})"
 
 
 def _basic() -> dict[str, str]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from contextlib import suppress
 from dataclasses import dataclass, field, replace
 from typing import Protocol
@@ -272,6 +273,12 @@ class LiveTask:
         self.supervisor.step_ended(self)
         self.run.controller.execution.await_restart()
         clock.leave_ticks(left)
+
+    def procedures(self) -> Iterator[str]:
+        """Names of the procedures to which the pointer may be set, in the order of declaration."""
+        for symbol in self.program.routines.values():
+            if self._procedure(symbol.name) is not None:
+                yield symbol.name
 
     def _procedure(self, name: str) -> RoutineSymbol | None:
         """Procedure of a name, in any case, that needs no arguments; None if there is none."""
