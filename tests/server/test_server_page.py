@@ -194,6 +194,14 @@ def test_a_browser_jogs_loads_steps_and_explains(tmp_path: Path) -> None:
                 " one.dispatchEvent(new Event('change')); })()"
             )
 
+        async def pointer_at(text: str) -> None:
+            """Let time pass until the program stands before a statement."""
+            line = f"{_one('#text li.pointer')}.textContent"
+            while text not in await page.value(line):
+                live.advance(live.now_s + 0.1)
+                await asyncio.sleep(0.05)
+            await page.until(f"!{_one('#start')}.disabled")
+
         async with opened(f"{address}/ui", tmp_path) as page:
             await page.until("document.querySelector('#text li.pointer')")
             await page.until(f"{_one('#arm')}.width > 0")
@@ -212,6 +220,8 @@ def test_a_browser_jogs_loads_steps_and_explains(tmp_path: Path) -> None:
             await page.until(f"{joints}[0].endsWith('5.00')")
             # What the arm cannot do is said before it is tried.
             await choose("[data-choice=angle]", "30")
+            key = _one("[data-step='J3+']")
+            await page.until(f"{key}.title.endsWith('30')")
             await click("[data-step='J3+']")
             await jogged()
             await page.until(f"{_one('.step:disabled')}")
@@ -228,10 +238,9 @@ def test_a_browser_jogs_loads_steps_and_explains(tmp_path: Path) -> None:
             await page.value(f"{_one('#values')}.open = true")
             await page.until(f"{_one('#data tr[data-name=rounds] input')}")
             await choose("#data tr[data-name=rounds] input", "41")
-            assert (
-                symbols.read(live.task("T_ROB1"), symbols.find(live.task("T_ROB1"), "rounds"))
-                == "41"
-            )
+            rounds = symbols.find(live.task("T_ROB1"), "rounds")
+            while symbols.read(live.task("T_ROB1"), rounds) != "41":
+                await asyncio.sleep(0.02)
             # A module is loaded, its routine chosen and stepped through until it fails.
             await page.value(
                 "(() => { const files = new DataTransfer(); files.items.add(new File("
@@ -243,16 +252,27 @@ def test_a_browser_jogs_loads_steps_and_explains(tmp_path: Path) -> None:
             await choose("#routine", "fails")
             await click("#go")
             await page.until(f"{_one('#text li.pointer')}.textContent.includes('PROC fails')")
-            for button in ("#step", "#over"):
-                await click(button)
-                live.advance(live.now_s + 0.5)
-                await page.until(f"{_one('#stop')}.disabled")
+            # A line is chosen and its breakpoint set by keys; a click takes it away.
+            await page.value(f"{_one('#text')}.focus()")
+            await page.key("ArrowDown")
+            await page.key("ArrowDown")
+            await page.key("Enter")
+            await page.until(f"{_one('#text li.break')}")
+            assert "x := 2" in await page.value(f"{_one('#text li.break')}.textContent")
             await click("#start")
-            live.advance(live.now_s + 0.5)
+            await pointer_at("x := 2")
+            await click("#text li.break")
+            await page.until(f"!{_one('#text li.break')}")
+            for button, comes in (("#step", "x := 3"), ("#over", "x := 1 / 0")):
+                await click(button)
+                await pointer_at(comes)
+            await click("#start")
+            while live.task("T_ROB1").has_pointer:
+                live.advance(live.now_s + 0.1)
+                await asyncio.sleep(0.02)
             await page.until(f"{_one('#log .error button')}")
             await page.value(f"{_one('#log .error button')}.click()")
-            await page.until(f"{_one('#text li.found')}")
-            assert "1 / 0" in await page.value(f"{_one('#text li.found')}.textContent")
+            await page.until(f"{_one('#text li.found')}.textContent.includes('1 / 0')")
             await page.value(
                 "[...document.querySelectorAll('#log button')].at(0).nextSibling.click()"
             )
@@ -290,6 +310,7 @@ OTHER = """MODULE other
   PROC fails()
     VAR num x;
     x := 2;
+    x := 3;
     x := 1 / 0;
   ENDPROC
 ENDMODULE

@@ -105,6 +105,7 @@ def _task(task: LiveTask, state: TaskState, unit: str) -> dict[str, object]:
         "routine": task.place.routine if task.has_pointer else "",
         "pointer": _place(task, task.place) if task.has_pointer else None,
         "modules": [one.name.text for one in program_memory.modules(task)],
+        "breakpoints": sorted(map(list, task.breakpoints)),
     }
     if state.moves_robot:
         now = position_snapshot(task)
@@ -165,11 +166,8 @@ def _module(context: RequestContext, query: Fields) -> Answer:
 
 def _place(task: LiveTask, place: Place) -> list[object] | None:
     """Return module and line of a place in the program of a task; the first line of a text is 1."""
-    for one in program_memory.modules(task):
-        if one.source.file == place.span.file and one.start <= place.span.start <= one.end:
-            first = one.source.text.count("\n", 0, one.start)
-            return [one.name.text, place.span.line - first]
-    return None
+    found = task.module_line(place)
+    return None if found is None else [*found]
 
 
 def _place_of_entry(context: RequestContext, entry: LogEntry) -> list[object] | None:

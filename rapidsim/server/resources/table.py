@@ -127,6 +127,8 @@ _FIRST: Final = (
     Route("POST", _TASK, programs.unload_module, "unloadmod"),
     Route("POST", f"{_TASK}/program", programs.load_program, "loadprog"),
     Route("POST", f"{_TASK}/pcp", programs.put_pointer, "set-pp-routine"),
+    Route("POST", f"{_TASK}/breakpoints", programs.set_breakpoint, "set"),
+    Route("POST", f"{_TASK}/breakpoints", programs.reset_breakpoint, "reset"),
     Route("GET", "rw/rapid/modules", programs.modules),
     Route("GET", "rw/rapid/modules/{module}", programs.module),
     Route("GET", _SYMBOL, symbols.value),

@@ -19,7 +19,7 @@ function armPicture(canvas, arm) {
     const pen = canvas.getContext("2d");
     pen.scale(ratio, ratio);
     const style = getComputedStyle(canvas);
-    const eye = { x: 0, y: 0.36 * reach, scale: Math.min(width, height) / (1.75 * reach) };
+    const eye = { x: 0, y: 0.4 * reach, scale: Math.min(width, height) / (1.35 * reach) };
     const at = (point) => seen(eye, point, width, height);
     drawGrid(pen, at, style.getPropertyValue("--rule"));
     const frames = framesOf(base, arm.links, shown);

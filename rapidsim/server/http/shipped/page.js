@@ -79,6 +79,8 @@ async function showProgram() {
     $("text").replaceChildren(...found.text.replace(/\n$/, "").split("\n").map((line) => element("li", line)));
   }
   const lines = $("text").children;
+  const broken = new Set(task.breakpoints.filter((one) => one[0] === module.toLowerCase()).map((one) => one[1]));
+  [...lines].forEach((line, k) => line.classList.toggle("break", broken.has(k + 1)));
   for (const kind of ["pointer", "motion"]) {
     const place = task[kind];
     const line = place && place[0] === module ? lines[place[1] - 1] : null;
@@ -233,16 +235,31 @@ function showLog() {
   }));
 }
 
+function toggleBreak(line) {
+  const row = [...$("text").children].indexOf(line) + 1;
+  if (row) act(`/rw/rapid/tasks/${shown.task}/breakpoints`, line.classList.contains("break") ? "reset" : "set", { module: shown.module, row });
+}
+
+function markLine(line) {
+  for (const one of $("text").querySelectorAll(".found")) one.classList.remove("found");
+  if (!line) return;
+  line.classList.add("found");
+  line.scrollIntoView({ block: "nearest" });
+}
+
+function textKey(event) {
+  const now = $("text").querySelector(".found") || $("text").querySelector(".pointer") || $("text").firstElementChild;
+  const next = { ArrowDown: now && now.nextElementSibling, ArrowUp: now && now.previousElementSibling }[event.key];
+  if (next) { event.preventDefault(); markLine(next); }
+  if (event.key === "Enter" && now) toggleBreak(now);
+}
+
 async function showLine(task, module, line) {
   $("follow").checked = false;
   $("task").value = task;
   options($("module"), shownTask().modules, module);
   await refresh();
-  const found = $("text").children[line - 1];
-  if (!found) return;
-  for (const one of $("text").querySelectorAll(".found")) one.classList.remove("found");
-  found.classList.add("found");
-  found.scrollIntoView({ block: "center" });
+  markLine($("text").children[line - 1]);
   $("text").focus();
 }
 
@@ -326,6 +343,8 @@ $("mode").onchange = () => { const opmode = $("mode").value; $("mode").blur(); a
 $("speed").oninput = () => { $("percent").textContent = `${$("speed").value} %`; };
 $("speed").onchange = () => { const ratio = $("speed").value; $("speed").blur(); act("/rw/panel/speedratio", "setspeedratio", { "speed-ratio": ratio }); };
 $("quick").onclick = () => act("/rw/panel/ctrlstate", "setctrlstate", { "ctrl-state": "motoroff" });
+$("text").onclick = (event) => { const line = event.target.closest("li"); if (line && !String(getSelection())) toggleBreak(line); };
+$("text").onkeydown = textKey;
 $("jogging").ontoggle = () => refresh();
 $("values").ontoggle = () => refresh();
 $("motors").onclick = () => act("/rw/panel/ctrlstate", "setctrlstate", { "ctrl-state": state.motors === "motoron" ? "motoroff" : "motoron" });
