@@ -16,7 +16,7 @@ from rapidsim.report.html.arm_shapes import arm_data
 from rapidsim.report.pages.rules import markdown
 from rapidsim.server.messages import Answer, Fields
 from rapidsim.server.resources.backups import backup_files
-from rapidsim.server.resources.codes import NOT_FOUND, refused
+from rapidsim.server.resources.codes import BAD_PARAMETER, NOT_FOUND, refused
 from rapidsim.server.resources.context import RequestContext, required_value
 from rapidsim.server.resources.jogging import jogged_task
 from rapidsim.simulation.live import symbols
@@ -28,6 +28,8 @@ _MOST_DATA: Final = 500
 """Number of data of a module that are shown."""
 _MOST_TEXT: Final = 2000
 """Length of a value that is shown."""
+_MOST_BYTES: Final = 64 * 2**20
+"""Size of the files of HOME in a download."""
 _EARLIEST: Final = (1980, 1, 1, 0, 0, 0)
 """Date of each file of a backup, the first that its format has: equal backups are equal files."""
 
@@ -86,13 +88,20 @@ def rule_panel(context: RequestContext, query: Fields) -> dict[str, object]:
 
 
 def backup_panel(context: RequestContext, query: Fields) -> Answer:
-    """Return a backup as a ZIP file, which `rapidsim check` reads once it is unpacked."""
+    """Return a backup as a ZIP file, which `rapidsim check` reads once it is unpacked.
+
+    Raises:
+        RefusedRequest: If the files of HOME are too large for one answer.
+    """
     generation = 2 if query.get("generation") == "2" else 1
+    files = dict(context.files.home_files())
+    if sum(one.stat().st_size for one in files.values()) > _MOST_BYTES:
+        raise refused(BAD_PARAMETER, "HOME is too large for a download: `/ctrl/backup` makes one")
     packed = io.BytesIO()
     with zipfile.ZipFile(packed, "w", zipfile.ZIP_DEFLATED) as archive:
         for path, content in backup_files(context, generation):
             entry = zipfile.ZipInfo(path, _EARLIEST)
             archive.writestr(entry, content, zipfile.ZIP_DEFLATED)
-        for name, file in context.files.home_files():
+        for name, file in files.items():
             archive.writestr(zipfile.ZipInfo(f"HOME/{name}", _EARLIEST), file.read_bytes())
     return Answer(content=packed.getvalue())

@@ -82,6 +82,8 @@ def frame_of(task: LiveTask, arm: JogArm, frame: JogFrame) -> Transform | None:
 
 
 def _object(wobj: WobjData) -> Transform:
+    if wobj.robhold or not wobj.ufprog:
+        raise RequestRefused(RefusalReason.STATE, "something moves the work object: jog in another")
     return targets.transform(wobj.uframe) @ targets.transform(wobj.oframe)
 
 
