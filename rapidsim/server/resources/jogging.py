@@ -19,7 +19,7 @@ def jog(context: RequestContext, request: Request) -> Answer:
     """Jog a robot by one step.
 
     The form has `mechunit` (default: the first robot), `frame` (joints, base, world, tool or wobj),
-    `axis` (from 1) and `distance` [deg, mm].
+    `axis` (from 1) and `by` [deg, mm].
 
     Raises:
         RefusedRequest: If the robot cannot be jogged, or not so far.
@@ -27,7 +27,7 @@ def jog(context: RequestContext, request: Request) -> Answer:
     form = request.form
     task = jogged_task(context, form)
     frame = chosen(form, "frame", JogFrame)
-    axis, distance = count(form, "axis", 1) - 1, number(form, "distance")
+    axis, distance = count(form, "axis", 1) - 1, number(form, "by")
     jogging.jog(context.live, task, frame, axis, distance)
     return DONE
 
@@ -64,7 +64,7 @@ def jog_panel(context: RequestContext, query: Fields) -> dict[str, object]:
             arm.reason_against(jogging.step_of(task, arm, frame, axis, sign * size))
             for sign in (-1.0, 1.0)
         ]
-        steps.append({"axis": axis + 1, "distance": size, "reasons": reasons})
+        steps.append({"axis": axis + 1, "size": size, "reasons": reasons})
     return {
         "reason": jogging.reason_against_jogging(live, task),
         "steps": steps,

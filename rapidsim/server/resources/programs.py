@@ -204,7 +204,7 @@ def set_breakpoint(context: RequestContext, request: Request, task: str) -> Answ
     return DONE
 
 
-def reset_breakpoint(context: RequestContext, request: Request, task: str) -> Answer:
+def clear_breakpoint(context: RequestContext, request: Request, task: str) -> Answer:
     """Remove the breakpoint on a line of a module, if there is one."""
     found = context.live.task(task)
     found.breakpoints.discard(_line(found, request))

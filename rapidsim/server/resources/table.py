@@ -128,7 +128,7 @@ _FIRST: Final = (
     Route("POST", f"{_TASK}/program", programs.load_program, "loadprog"),
     Route("POST", f"{_TASK}/pcp", programs.put_pointer, "set-pp-routine"),
     Route("POST", f"{_TASK}/breakpoints", programs.set_breakpoint, "set"),
-    Route("POST", f"{_TASK}/breakpoints", programs.reset_breakpoint, "reset"),
+    Route("POST", f"{_TASK}/breakpoints", programs.clear_breakpoint, "clear"),
     Route("GET", "rw/rapid/modules", programs.modules),
     Route("GET", "rw/rapid/modules/{module}", programs.module),
     Route("GET", _SYMBOL, symbols.value),

@@ -32,9 +32,9 @@ function jogPanel(place, { read, move, units }) {
     key.type = "button";
     key.dataset.step = `${name}${text}`;
     key.disabled = !!reason;
-    key.title = reason || `${name} ${sign < 0 ? "−" : "+"}${step.distance}`;
+    key.title = reason || `${name} ${sign < 0 ? "−" : "+"}${step.size}`;
     key.setAttribute("aria-label", reason ? `${name} ${text}: ${reason}` : `${name} ${text}`);
-    key.onclick = async () => { await move({ frame: chosen.frame, axis: step.axis, distance: sign * step.distance }); refresh(); };
+    key.onclick = async () => { await move({ frame: chosen.frame, axis: step.axis, by: sign * step.size }); refresh(); };
     return key;
   }
 

@@ -237,7 +237,7 @@ function showLog() {
 
 function toggleBreak(line) {
   const row = [...$("text").children].indexOf(line) + 1;
-  if (row) act(`/rw/rapid/tasks/${shown.task}/breakpoints`, line.classList.contains("break") ? "reset" : "set", { module: shown.module, row });
+  if (row) act(`/rw/rapid/tasks/${shown.task}/breakpoints`, line.classList.contains("break") ? "clear" : "set", { module: shown.module, row });
 }
 
 function markLine(line) {
