@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import asyncio
+import io
 import json
+import zipfile
 from base64 import b64encode
 from pathlib import Path
 from typing import Any
@@ -11,6 +13,7 @@ from typing import Any
 import aiohttp
 import pytest
 from browser import CHROMIUM, opened
+from command_line import call
 from served_controller import Served, serve
 
 from rapidsim.simulation.live import signals, symbols
@@ -105,6 +108,60 @@ def test_nothing_is_done_by_get_or_for_a_page_from_elsewhere(tmp_path: Path) -> 
         async with served.client.post(url, data=done) as response:
             assert response.status == 400
             assert await response.text() == "the program executes already"
+
+    serve(cell(tmp_path), None, use)
+
+
+def test_what_is_uploaded_lies_in_home_whatever_its_name_says(tmp_path: Path) -> None:
+    async def use(served: Served) -> None:
+        url, home = f"{served.base}/ui/upload", served.engine.context.files.home
+        for name, status in (("../../a.mod", 201), ("C:\\x\\b.mod", 201), ("..", 404), ("", 404)):
+            async with served.client.post(url, params={"name": name}, data=OTHER) as response:
+                assert response.status // 100 == status // 100, name
+        assert {one.name for one in home.glob("*.mod")} == {"a.mod", "b.mod"}
+        elsewhere = {"Origin": "http://evil.example"}
+        async with served.client.post(url, params={"name": "c.mod"}, headers=elsewhere) as response:
+            assert response.status == 403
+
+    serve(cell(tmp_path), None, use)
+
+
+def test_a_downloaded_backup_is_a_cell_that_checks(tmp_path: Path) -> None:
+    async def use(served: Served) -> None:
+        for _ in range(2):
+            async with served.client.get(f"{served.base}/ui/backup.zip") as response:
+                assert response.headers["Content-Type"].startswith("application/zip")
+                packed = await response.read()
+        with zipfile.ZipFile(io.BytesIO(packed)) as archive:
+            assert "RAPID/TASK1/PROGMOD/job.mod" in archive.namelist()
+            archive.extractall(tmp_path / "backup")
+
+    serve(cell(tmp_path), None, use)
+    assert "Reach of 1 of 1 move checked" in call("check", "backup", cwd=tmp_path).out
+
+
+def test_the_panels_say_what_an_arm_a_task_and_a_rule_are(tmp_path: Path) -> None:
+    async def use(served: Served) -> None:
+        async def read(path: str) -> Any:
+            async with served.client.get(f"{served.base}/ui/{path}") as response:
+                return await response.json() if response.status == 200 else response.status
+
+        panel = await read("jog?frame=joints&length=10&angle=5")
+        assert panel["reason"] == "jogging needs manual mode"
+        assert [one["reasons"] for one in panel["steps"]] == [[None, None]] * 6
+        assert len(panel["stands"]["room"]) == 6
+        assert len((await read("arm?mechunit=ROB_1"))["arm"]["links"]) == 7
+        task = await read("task?task=T_ROB1&module=JOB")
+        assert task["routines"] == ["main"]
+        (rounds,) = task["data"]
+        assert (rounds["name"], rounds["value"], rounds["settable"]) == ("rounds", "0", True)
+        assert (await read("rule?code=r101"))["name"] == "uncaught-error"
+        for bad in (
+            *("jog", "jog?frame=up&length=1&angle=1", "jog?frame=base&length=nan&angle=1"),
+            *("jog?frame=base&length=1e9&angle=1", "task?task=none", "rule?code=X999"),
+            *("arm?mechunit=ROB_7", "module?task=T_ROB1&module=none"),
+        ):
+            assert (await read(bad)) // 100 == 4, bad
 
     serve(cell(tmp_path), None, use)
 
