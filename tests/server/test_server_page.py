@@ -151,6 +151,7 @@ def test_the_panels_say_what_an_arm_a_task_and_a_rule_are(tmp_path: Path) -> Non
         assert [one["reasons"] for one in panel["steps"]] == [[None, None]] * 6
         assert len(panel["stands"]["room"]) == 6
         assert len((await read("arm?mechunit=ROB_1"))["arm"]["links"]) == 7
+        assert await read("joints") == {"joints": [0.0, 0.0, 0.0, 0.0, 30.0, 0.0]}
         task = await read("task?task=T_ROB1&module=JOB")
         assert task["routines"] == ["main"]
         (rounds,) = task["data"]

@@ -33,7 +33,7 @@ _SHARED: Final = Path(html.__file__).parent / "shipped"
 """Folder of the scripts that reports have as well."""
 _JSON: Final = "application/json"
 _VIEWS: Final = MappingProxyType(
-    dict.fromkeys(("state", "text", "arm", "jog", "task", "rule"), _JSON)
+    dict.fromkeys(("state", "text", "arm", "joints", "jog", "task", "rule"), _JSON)
     | {"module": "text/plain", "backup.zip": "application/zip"}
 )
 """Kind of each part that the engine answers."""

@@ -12,6 +12,7 @@ from typing import Final
 
 from rapidsim.analysis.program import Storage
 from rapidsim.diagnostics import all_rules
+from rapidsim.language.data import UNUSED_AXIS
 from rapidsim.report.html.arm_shapes import arm_data
 from rapidsim.report.pages.rules import markdown
 from rapidsim.server.messages import Answer, Fields
@@ -21,6 +22,7 @@ from rapidsim.server.resources.context import RequestContext, required_value
 from rapidsim.server.resources.jogging import jogged_task
 from rapidsim.simulation.live import symbols
 from rapidsim.simulation.live.live_task import LiveTask
+from rapidsim.simulation.live.position import position_snapshot
 from rapidsim.simulation.live.states import RequestRefused
 from rapidsim.simulation.live.symbols import TaskDatum
 
@@ -41,6 +43,12 @@ def arm_panel(context: RequestContext, query: Fields) -> dict[str, object]:
     """
     task = jogged_task(context, query)
     return {"arm": arm_data(task.unit.member.robot)}
+
+
+def joints_panel(context: RequestContext, query: Fields) -> dict[str, object]:
+    """Return the joints [deg, mm] of a mechanical unit now: all that its picture needs."""
+    now = position_snapshot(jogged_task(context, query)).joints.robax
+    return {"joints": [round(one, 3) + 0.0 for one in now if one != UNUSED_AXIS]}
 
 
 def task_panel(context: RequestContext, query: Fields) -> dict[str, object]:

@@ -27,6 +27,7 @@ from rapidsim.server.resources.jogging import jog_panel
 from rapidsim.server.resources.operator_panels import (
     arm_panel,
     backup_panel,
+    joints_panel,
     rule_panel,
     task_panel,
 )
@@ -192,6 +193,7 @@ VIEWS: Final[Mapping[str, View]] = MappingProxyType(
         "text": _text,
         "module": _module,
         "arm": arm_panel,
+        "joints": joints_panel,
         "jog": jog_panel,
         "task": task_panel,
         "rule": rule_panel,

@@ -1,7 +1,7 @@
 "use strict";
 // Shows the state of a controller twice a second, and asks for what its buttons say.
 const $ = (id) => document.getElementById(id);
-const PERIOD_MS = 500;
+const PERIOD_MS = 500, PICTURE_MS = 80;
 let state = null;
 let shown = { task: "", module: "" };   // Whose text is on the page.
 let editing = null;                      // The name of the signal whose number is being typed.
@@ -358,3 +358,15 @@ async function live() {
   setTimeout(live, PERIOD_MS);
 }
 live();
+
+// The picture of an arm that moves is drawn more often than the rest of the page.
+async function picture() {
+  if (!document.hidden && drawn.picture && (state.executes || $("jogging").open)) {
+    try {
+      const { joints } = await ask(`joints?${new URLSearchParams({ mechunit: drawn.unit })}`);
+      drawn.picture.show(joints);
+    } catch { /* `refresh` says that the controller does not answer. */ }
+  }
+  setTimeout(picture, PICTURE_MS);
+}
+picture();
