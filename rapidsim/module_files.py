@@ -35,6 +35,8 @@ MODULE_SUFFIXES = (".mod", ".modx", ".sys", ".sysx", ".prg")
 _PACKED = re.compile(r"(?P<file>.*\.rspag)(?:!(?P<controller>.+))?", re.IGNORECASE | re.DOTALL)
 STANDARD_INPUT = "<stdin>"
 CONFIGURATION_FILES = ("sys.cfg", "eio.cfg", "moc.cfg")
+_CONFIGURED_IN = ("syspar", "config")
+"""Subfolders with configuration files: of a backup, and of an add-in."""
 _IN_TASK = ("PROGMOD", "SYSMOD")
 """Subfolders of a task's folder that contain its modules."""
 _MOST_NAMED = 5
@@ -60,7 +62,7 @@ class LooseCell:
 
     root: Path
     below: tuple[str, ...]
-    """Subfolders that lead to SYS.cfg, EIO.cfg or MOC.cfg: none, or SYSPAR."""
+    """Subfolders that lead to SYS.cfg, EIO.cfg or MOC.cfg: none, SYSPAR or config."""
     modules: tuple[Path, ...]
 
 
@@ -200,15 +202,19 @@ def has_modules(folder: Path) -> bool:
 
 
 def configuration_below(folder: Path) -> tuple[str, ...] | None:
-    """Return the subfolders to configuration files: empty, or SYSPAR; None without such files."""
+    """Return the subfolders to configuration files: empty, SYSPAR or config; None without any."""
     if _has_configuration(folder):
         return ()
-    below = [one for one in entries_of(folder) if one.name.upper() == "SYSPAR" and one.is_dir()]
-    return ("SYSPAR",) if any(map(_has_configuration, below)) else None
+    for entry in entries_of(folder):
+        if entry.name.lower() in _CONFIGURED_IN and entry.is_dir() and _has_configuration(entry):
+            return (entry.name,)
+    return None
 
 
 def _has_configuration(folder: Path) -> bool:
-    return any(entry.name.lower() in CONFIGURATION_FILES for entry in entries_of(folder))
+    # An add-in puts its name before: StateMachine_eio.cfg.
+    files = CONFIGURATION_FILES
+    return any(entry.name.lower().rpartition("_")[2] in files for entry in entries_of(folder))
 
 
 def opened(path: str) -> Path:

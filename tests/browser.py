@@ -8,7 +8,7 @@ import shutil
 from base64 import b64decode
 from collections.abc import AsyncIterator
 from contextlib import asynccontextmanager
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from itertools import count
 from pathlib import Path
 from typing import Any
@@ -25,12 +25,16 @@ class Page:
 
     socket: aiohttp.ClientWebSocketResponse
     _numbers: count[int]
+    errors: list[str] = field(default_factory=list)
+    """What scripts threw and nothing caught."""
 
     async def call(self, method: str, **parameters: Any) -> dict[str, Any]:
         number = next(self._numbers)
         await self.socket.send_json({"id": number, "method": method, "params": parameters})
         while True:
             told = json.loads((await self.socket.receive(timeout=_PATIENCE_S)).data)
+            if told.get("method") == "Runtime.exceptionThrown":
+                self.errors.append(str(told["params"]["exceptionDetails"]))
             if told.get("id") == number:
                 assert "error" not in told, told
                 result: dict[str, Any] = told["result"]
@@ -43,6 +47,11 @@ class Page:
         )
         assert "exceptionDetails" not in told, told
         return told["result"].get("value")
+
+    async def key(self, name: str) -> None:
+        """Press a key and release it."""
+        for kind in ("keyDown", "keyUp"):
+            await self.call("Input.dispatchKeyEvent", type=kind, key=name, code=name)
 
     async def until(self, script: str) -> None:
         """Wait until a script gives something true."""
@@ -100,6 +109,7 @@ async def opened(url: str, folder: Path, *, webgl: bool = False) -> AsyncIterato
                 pages[0]["webSocketDebuggerUrl"], max_msg_size=2**26
             ) as socket:
                 page = Page(socket, count(1))
+                await page.call("Runtime.enable")
                 await page.call("Page.navigate", url=url)
                 yield page
     finally:

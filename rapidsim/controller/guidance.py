@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from dataclasses import field
+from dataclasses import field, replace
 from typing import ClassVar, Final
 
 from rapidsim.controller.cell.cell import Cell
@@ -27,6 +27,7 @@ from rapidsim.controller.moves.guidance_start import (
 from rapidsim.controller.moves.resolve import Resolver
 from rapidsim.controller.path_correction import ActivePathCorrection
 from rapidsim.controller.queue.mechanical_unit import MechanicalUnit
+from rapidsim.controller.sensor_exchange import data_for_sensor, take_answer
 from rapidsim.controller.sensor_identities import ActiveGuidance, SensorIdentity
 from rapidsim.controller.sensor_streams import SensorStream
 from rapidsim.controller.signal_sensor import SignalSensor
@@ -36,6 +37,7 @@ from rapidsim.language.errors import NotAllowed, RapidError
 from rapidsim.language.guidance import (
     CONNECTED,
     DISCONNECTED,
+    NO_EXCHANGE,
     RUNNING,
     Activation,
     GuidanceTerms,
@@ -51,6 +53,7 @@ from rapidsim.values import value_class
 
 MOST_IDENTITIES: Final = 4
 """Maximum number of identities of a task at one time; from memory of ABB's documents."""
+_OTHER_MODE: Final = "ABB 41826"
 
 
 @value_class(slots=True, eq=False)
@@ -94,6 +97,7 @@ class TaskGuidance:
         data = external_motion_data(self.cell.parameters, setup.configuration)
         self._close(one)
         one.setup, one.data, one.activation, one.sample_s = setup, data, None, None
+        one.exchange = NO_EXCHANGE
         one.sensor, one.state = self._sensor(setup), CONNECTED
 
     def activate(self, identity: int, activation: Activation) -> None:
@@ -102,12 +106,16 @@ class TaskGuidance:
         one, setup = self._connected(identity)
         if setup.purpose is not purpose:
             wanted = purpose.name.capitalize()
-            raise NotAllowed(rf"EGMSetupUC has not set this EGM identity up with \{wanted}")
+            raise NotAllowed(
+                rf"EGMSetupUC has not set this EGM identity up with \{wanted}", _OTHER_MODE
+            )
         if one.state == RUNNING:
             raise NotAllowed("the sensor guides the robot; EGMStop ends that")
-        one.activation = activation
+        one.activation, one.exchange = activation, activation.exchange
         if activation.streams:
             self._stream(one, activation.sample_s)
+        elif one.stream is not None:
+            self._stream(one, one.stream.sample_s)
 
     def guide(self, identity: int, terms: GuidanceTerms) -> None:
         """Let the sensor guide the robot."""
@@ -119,8 +127,12 @@ class TaskGuidance:
         if self.unit.team is not None:
             raise NotAllowed("robots that move together cannot be guided by a sensor")
         self._end_correction()
+        if len(terms.chosen) == len(one.activation.bands) and not any(terms.chosen):
+            return
         if len(terms.chosen) != len(one.activation.bands):
-            raise NotAllowed("EGMRunJoint follows EGMActJoint, and EGMRunPose EGMActPose")
+            raise NotAllowed(
+                "EGMRunJoint follows EGMActJoint, and EGMRunPose EGMActPose", _OTHER_MODE
+            )
         self.clock.note_line()
         self.clock.bring_to_rest()
         self.clock.await_restart()
@@ -132,7 +144,9 @@ class TaskGuidance:
         """Set the period [s] at which the sensor corrects a path."""
         one, setup = self._connected(identity)
         if setup.purpose is not Purpose.PATH_CORRECTION:
-            raise NotAllowed(r"EGMSetupUC has not set this EGM identity up with \PathCorr")
+            raise NotAllowed(
+                r"EGMSetupUC has not set this EGM identity up with \PathCorr", _OTHER_MODE
+            )
         one.sample_s = sample_s
 
     def correct(self, identity: Callable[[], int], move: Move, put: Callable[[], None]) -> None:
@@ -172,19 +186,20 @@ class TaskGuidance:
             self._active.waits = True
         self._await(one)
 
-    def end_guidance(self, identity: int, *, moves_back: bool, ramp_out_s: float) -> None:
+    def end_guidance(self, identity: int, *, moves_back: bool, ramp_out_s: float | None) -> None:
         """End the guidance."""
         one, _ = self._connected(identity)
         self.clock.note_line()
         self.clock.synchronise()
-        under_way = self._active
+        one.stream, under_way = None, self._active
         if self._corrects(one):
             self._end_correction()
         if under_way is None or under_way.identity is not one:
             return
-        under_way.run.stop(moves_back=moves_back, ramp_out_s=ramp_out_s)
+        ramp_s = one.data.ramp_s if ramp_out_s is None else ramp_out_s
+        under_way.run.stop(moves_back=moves_back, ramp_out_s=ramp_s)
         assert one.sensor is not None
-        one.sensor.stop(moves_back=moves_back, ramp_out_s=ramp_out_s)
+        one.sensor.stop(moves_back=moves_back, ramp_out_s=ramp_s)
         while self._active is under_way:
             self.clock.await_event(math.inf)
 
@@ -214,7 +229,9 @@ class TaskGuidance:
         self.clock.synchronise()
         self._settle()
         one = self._identities.get(identity)
-        return DISCONNECTED if one is None else one.state
+        if one is None:
+            return DISCONNECTED
+        return one.state if one.stream is None else RUNNING
 
     def forget_all(self) -> None:
         """Close all connections to sensors, because the program is unloaded."""
@@ -242,10 +259,11 @@ class TaskGuidance:
         due_s = min(corrected_s, math.inf if under_way is None else under_way.next_s)
         for one, stream in self._streams():
             if stream.next_s <= due_s:
-                now_s, activation = stream.next_s, one.activation
-                tool = None if activation is None else activation.tool
-                wobj = None if activation is None else activation.wobj
-                stream.send_due(self.unit, self.resolver, self.state_of_motion, tool, wobj)
+                now_s, sent = stream.next_s, data_for_sensor(one.exchange, self.cell)
+                answer = stream.send_due(
+                    self.unit, self.resolver, self.state_of_motion, one.activation, sent
+                )
+                take_answer(one.exchange, answer, self.cell, self.clock.cause(), now_s)
                 return now_s
         if corrected_s <= due_s:
             return self._sample(passed_s)
@@ -273,7 +291,9 @@ class TaskGuidance:
         assert identity.sensor is not None
         identity.stream = None
         if sample_s is not None:
-            identity.stream = SensorStream(identity.sensor, sample_s, self.clock.resolve_time())
+            now_s, awaits = self.clock.resolve_time(), identity.exchange.receives
+            identity.stream = SensorStream(identity.sensor, sample_s, now_s, awaits)
+            identity.stream.begin(now_s)
             self.clock.grant()
 
     def _cycle(self, active: ActiveGuidance) -> float:
@@ -282,11 +302,10 @@ class TaskGuidance:
         identity, run = active.identity, active.run
         assert identity.sensor is not None
         if active.cycles % active.schedule.samples == 0:
-            answer = identity.sensor.exchange(active.schedule.feedback(run, now_s))
-        assert identity.activation is not None
-        values = identity.activation.values
-        if answer is not None and values is not None:
-            values[: len(answer.values)] = answer.values[: len(values)]
+            sent = data_for_sensor(identity.exchange, self.cell)
+            told = replace(active.schedule.feedback(run, now_s), sent=sent)
+            answer = identity.sensor.exchange(told)
+            take_answer(identity.exchange, answer, self.cell, self.clock.cause(), now_s)
         active.step(answer)
         if run.is_over:
             self.unit.end_guidance()
@@ -302,6 +321,7 @@ class TaskGuidance:
         assert identity.setup is not None
         assert identity.sensor is not None
         member = self.unit.member
+        identity.exchange = terms.exchange.over(identity.activation.exchange)
         asked = GuidanceRequest(identity.setup, identity.data, identity.activation, terms)
         run, told, stretch = started(
             asked,
@@ -310,6 +330,7 @@ class TaskGuidance:
             member.limits,
             member.standing(),
             self.clock.resolve_time(),
+            data_for_sensor(identity.exchange, self.cell),
         )
         self._active = ActiveGuidance(identity, run, told, stretch, terms.waits, self._settle)
         self._last = None
@@ -425,9 +446,7 @@ class TaskGuidance:
         identity, ended = under_way.identity, under_way.run.ended or EndReason.STOPPED
         assert identity.sensor is not None
         identity.sensor.end(under_way.schedule.feedback(under_way.run, under_way.next_s))
-        if identity.stream is not None:
-            identity.stream.guided = Guided.FAILED if ended.is_failure else Guided.STOPPED
-            identity.stream.next_s = under_way.next_s
+        identity.stream = None
         if ended is EndReason.SILENT and not under_way.run.has_answer:
             self._discard_feedback(identity)
         self._active, self._last = None, (identity, ended)

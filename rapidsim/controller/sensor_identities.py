@@ -7,7 +7,7 @@ from collections.abc import Callable
 from rapidsim.controller.cell.sensors import FeedbackSchedule, GuidanceSensor
 from rapidsim.controller.moves.guidance_start import DEFAULT_DATA, ExternalMotionData
 from rapidsim.controller.sensor_streams import SensorStream
-from rapidsim.language.guidance import DISCONNECTED, Activation, SensorSetup
+from rapidsim.language.guidance import DISCONNECTED, NO_EXCHANGE, Activation, Exchange, SensorSetup
 from rapidsim.motion.guidance.guided_execution import GuidedExecution
 from rapidsim.motion.guidance.joint_law import CYCLE_S
 from rapidsim.motion.guidance.sensor import SensorAnswer
@@ -24,6 +24,8 @@ class SensorIdentity:
     data: ExternalMotionData = DEFAULT_DATA
     sensor: GuidanceSensor | None = None
     activation: Activation | None = None
+    exchange: Exchange = NO_EXCHANGE
+    """Data and signals exchanged with the sensor at present."""
     sample_s: float | None = None
     """Period [s] at which a sensor corrects paths; None before EGMActMove."""
     stream: SensorStream | None = None

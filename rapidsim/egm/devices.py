@@ -13,7 +13,9 @@ from rapidsim.language.errors import NotAllowed
 from rapidsim.values import value_class
 
 _LOOPBACK: Final = frozenset({"", "localhost", "127.0.0.1"})
-_DOMAIN, _TYPE = "SIO", "COM_TRP"
+_DOMAIN = "SIO"
+_ADDRESSES: Final = (("COM_TRP", "remoteadress"), ("UDPUC_HOST", "remoteaddress"))
+"""Types with devices, and their attribute with the host: of RobotWare 6 (so spelled), and of 7."""
 
 
 class Address(NamedTuple):
@@ -42,6 +44,8 @@ class SensorDevices:
     names: tuple[str, ...] = ()
     """Names as written."""
     hosts: frozenset[str] = frozenset()
+    any_port: bool = False
+    """Whether a sensor may answer from any port of its computer."""
 
     def address(self, device: str) -> Address:
         """The address of a device's sensor.
@@ -68,7 +72,11 @@ class SensorDevices:
 
 
 def sensor_devices(
-    addresses: Iterable[tuple[str, Address]], configured: Configured, hosts: frozenset[str]
+    addresses: Iterable[tuple[str, Address]],
+    configured: Configured,
+    hosts: frozenset[str],
+    *,
+    any_port: bool = False,
 ) -> SensorDevices:
     """The devices of a controller.
 
@@ -76,11 +84,13 @@ def sensor_devices(
         addresses: Devices from the command line, which override the configuration.
         configured: The system parameters.
         hosts: Other computers that programs may connect to.
+        any_port: Whether a sensor may answer from any port of its computer.
     """
-    rows = SystemParameters(configured).instances(_DOMAIN, _TYPE) or ()
+    parameters = SystemParameters(configured)
     found = {
-        row.get("name", ""): Address(row.get("remoteadress", DEFAULT.host), port)
-        for row in rows
+        row.get("name", ""): Address(row.get(host, DEFAULT.host), port)
+        for type_, host in _ADDRESSES
+        for row in parameters.instances(_DOMAIN, type_) or ()
         if row.get("type", "").upper() == "UDPUC"
         and (port := _port(row.get("remoteportnumber", str(DEFAULT.port))))
     }
@@ -91,6 +101,7 @@ def sensor_devices(
         {name.lower(): address for name, address in found.items()},
         tuple(names.values()),
         hosts,
+        any_port,
     )
 
 

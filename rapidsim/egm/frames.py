@@ -20,7 +20,7 @@ from rapidsim.egm.messages import (
     MotorState,
 )
 from rapidsim.frames.quaternion import from_zyx
-from rapidsim.motion.guidance.feedback import Feedback, Guided
+from rapidsim.motion.guidance.feedback import NO_DATA, Feedback, Guided, ProgramData
 from rapidsim.motion.guidance.sensor import SensorAnswer
 
 ARM_AXES: Final = 6
@@ -30,7 +30,7 @@ _MOST: Final = 1e9
 _UINT32: Final = 2**32
 _EPOCH_S: Final = int(START_OF_TIME.replace(tzinfo=UTC).timestamp())
 _MCI: Final = {
-    Guided.NOT_YET: MciState.UNDEFINED,
+    Guided.NOT_YET: MciState.STOPPED,
     Guided.RUNNING: MciState.RUNNING,
     Guided.STOPPED: MciState.STOPPED,
     Guided.FAILED: MciState.ERROR,
@@ -78,8 +78,15 @@ def robot_datagram(number: int, feedback: Feedback) -> bytes:
             },
             "utilizationRate": feedback.utilisation,
             "moveIndex": 0,
+            "CollisionInfo": {"collsionTriggered": False},
+            "RAPIDfromRobot": _program_data(feedback.sent),
         },
     )
+
+
+def _program_data(sent: ProgramData) -> Fields | None:
+    """The data of the program, as sent; None without any."""
+    return None if sent == NO_DATA else {"digVal": sent.digital, "dnum": sent.numbers}
 
 
 def sensor_answer(data: bytes) -> SensorAnswer:
@@ -110,6 +117,7 @@ def _correction(data: bytes) -> SensorAnswer:
 def _goal(data: bytes) -> SensorAnswer:
     read = decode(SENSOR, data)
     planned, speed = read.get("planned", {}), read.get("speedRef", {})
+    program: Mapping[str, Any] = read.get("RAPIDtoRobot", {})
     pose = planned.get("cartesian", {})
     orientation = _numbers(pose.get("orient", {}), ("u0", "u1", "u2", "u3"))
     if "euler" in pose:
@@ -120,7 +128,8 @@ def _goal(data: bytes) -> SensorAnswer:
         orientation=orientation,
         joint_speed=(*_list(speed, "joints"), *_list(speed, "externalJoints")),
         tcp_speed=tuple(speed.get("cartesians", {}).get("value", ())),
-        values=tuple(read.get("RAPIDtoRobot", {}).get("dnum", ())),
+        values=tuple(program.get("dnum", ())),
+        digital=bool(program["digVal"]) if "digVal" in program else None,
     )
 
 

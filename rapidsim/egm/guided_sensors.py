@@ -15,13 +15,14 @@ from rapidsim.egm.sensor_loop import (
     EndGuidance,
     OpenSensor,
     Order,
+    SendData,
     SensorReply,
     StartCorrection,
     StartGuidance,
     StopGuidance,
     StreamFeedback,
 )
-from rapidsim.motion.guidance.feedback import Feedback
+from rapidsim.motion.guidance.feedback import NO_DATA, Feedback, ProgramData
 from rapidsim.motion.guidance.guided_execution import GuidedExecution
 from rapidsim.motion.guidance.sensor import SensorAnswer
 
@@ -47,7 +48,7 @@ class GuidedSensors:
         address = self.devices.address(device)
         self._last += 1
         self._replies[self._last] = []
-        self.send(self._last, OpenSensor(address, self.began_s, self.speed))
+        self.send(self._last, OpenSensor(address, self.began_s, self.speed, self.devices.any_port))
         return GuidedSensor(self, self._last)
 
     def close(self) -> None:
@@ -89,11 +90,13 @@ class GuidedSensor:
     _guidance: int = 0
     _samples: int = 0
     _correcting: StartCorrection | None = None
+    _sent: ProgramData = NO_DATA
+    """Data of the program that the guide sends."""
 
     def begin(self, run: GuidedExecution, feedback: FeedbackSchedule) -> None:
         """Start the guidance in the guide, too."""
         self._guidance, self._samples = self._guidance + 1, 0
-        self._correcting = None
+        self._correcting, self._sent = None, feedback.sent
         self.all.send(self.number, StartGuidance(self._guidance, run, feedback))
 
     def correct(self, first_s: float, sample_s: float) -> None:
@@ -104,6 +107,7 @@ class GuidedSensor:
 
     def exchange(self, feedback: Feedback) -> SensorAnswer | None:
         """The answer up to this sample; the guide has already sent the feedback."""
+        self._send_data(feedback.sent)
         sample, self._samples = self._samples, self._samples + 1
         if (one := self._correcting) is not None:
             sample = one.sample_at(feedback.time_s)
@@ -119,8 +123,14 @@ class GuidedSensor:
 
     def stream(self, stream: Sequence[Feedback]) -> None:
         """Let the guide send each message when it is due."""
+        self._send_data(stream[-1].sent if stream else self._sent)
         self.all.send(self.number, StreamFeedback(tuple(stream)))
 
     def close(self) -> None:
         """See `GuidanceSensor`."""
         self.all.forget(self.number)
+
+    def _send_data(self, sent: ProgramData) -> None:
+        if sent != self._sent:
+            self._sent = sent
+            self.all.send(self.number, SendData(sent))

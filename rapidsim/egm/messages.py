@@ -70,9 +70,10 @@ ROBOT: Final = message(
     rapidExecState=(8, _STATE),
     utilizationRate=(10, _D),
     moveIndex=(11, _N),
+    CollisionInfo=(12, message(collsionTriggered=(1, _N), collDetQuota=(2, _ALL))),
     RAPIDfromRobot=(13, _DATA),
 )
-"""Message of the controller. Forces and collisions (9 and 12) are not modelled and omitted."""
+"""Message of the controller; clients spell field 12 so. Forces (9) are not modelled and omitted."""
 SENSOR: Final = message(
     header=(1, _HEADER), planned=(2, _PLANNED), speedRef=(3, _SPEED_REF), RAPIDtoRobot=(4, _DATA)
 )

@@ -22,7 +22,7 @@ from typing import Final, TypeAlias
 from rapidsim.controller.cell.sensors import FeedbackSchedule
 from rapidsim.egm.devices import Address
 from rapidsim.egm.udp import Ports, SensorSocket
-from rapidsim.motion.guidance.feedback import Feedback
+from rapidsim.motion.guidance.feedback import NO_DATA, Feedback, ProgramData
 from rapidsim.motion.guidance.guided_execution import GuidedExecution
 from rapidsim.motion.guidance.joint_law import CYCLE_S
 from rapidsim.motion.guidance.sensor import SensorAnswer
@@ -44,6 +44,8 @@ class OpenSensor:
     """Start of virtual time [s] on the wall clock, which all processes share."""
     speed: float
     """Virtual seconds per second of the wall clock."""
+    any_port: bool = False
+    """Whether the sensor may answer from any port of its computer."""
 
 
 @value_class(frozen=True, slots=True)
@@ -57,7 +59,7 @@ class StartGuidance:
 
 @value_class(frozen=True, slots=True)
 class StartCorrection:
-    """Order to begin a path correction: answers to the streamed feedback are reported."""
+    """Order to report the answers to the streamed feedback: those that correct a path or stream."""
 
     number: int
     first_s: float
@@ -92,6 +94,13 @@ class StreamFeedback:
 
 
 @value_class(frozen=True, slots=True)
+class SendData:
+    """Order to send data of the program with all further feedback."""
+
+    sent: ProgramData
+
+
+@value_class(frozen=True, slots=True)
 class CloseSensor:
     """Order to disconnect from a sensor."""
 
@@ -103,6 +112,7 @@ Order: TypeAlias = (
     | StopGuidance
     | EndGuidance
     | StreamFeedback
+    | SendData
     | CloseSensor
 )
 
@@ -145,6 +155,8 @@ class _SensorSession:
     held_s: float = 0.0
     """Time [s] for which the last feedback has been repeated."""
     sample_s: float = math.inf
+    sent: ProgramData = NO_DATA
+    """Data of the program for the sensor."""
 
     def due_s(self) -> float:
         """Time [s] of the next action on the wall clock; infinite if none is due."""
@@ -173,7 +185,7 @@ class _SensorSession:
             heard = SensorReply(self.number, guidance.number, sample, answer)
             if not guidance.run.is_over:
                 time_s = guidance.schedule.first_s + guidance.cycles * CYCLE_S
-                self.socket.send(guidance.schedule.feedback(guidance.run, time_s))
+                self._send(guidance.schedule.feedback(guidance.run, time_s))
         guidance.run.step(answer)
         guidance.cycles += 1
         return heard
@@ -185,6 +197,7 @@ class _SensorSession:
                 self.socket.begin()
                 self.stream.clear()
                 self.guidance, self.last = _Guidance(number, run, told), None
+                self.sent = told.sent
                 behind_s = monotonic() - self.due_s()
                 self.guidance.late_s = max(0.0, behind_s)
             case StartCorrection():
@@ -201,7 +214,7 @@ class _SensorSession:
                         after_s = max(feedback.time_s, self.last.time_s)
                         feedback = replace(feedback, time_s=after_s)
                 self.guidance = self.correcting = self.last = None
-                self.socket.send(feedback)
+                self._send(feedback)
             case StreamFeedback(stream):
                 after_s = -math.inf if self.last is None else self.last.time_s
                 fresh = [one for one in stream if one.time_s > after_s + _ROUNDING_S]
@@ -209,8 +222,13 @@ class _SensorSession:
                     self.stream = [one for one in self.stream if one.time_s < fresh[0].time_s]
                     self.stream += fresh
                 self.held_s = 0.0
+            case SendData(sent):
+                self.sent = sent
             case _:
                 pass
+
+    def _send(self, feedback: Feedback) -> None:
+        self.socket.send(replace(feedback, sent=self.sent))
 
     def _send_feedback(self) -> SensorReply | None:
         """Send the next feedback of the stream; return the sensor's answer if it is needed."""
@@ -227,7 +245,7 @@ class _SensorSession:
             told = replace(self.last, time_s=self.last.time_s + self.sample_s)
             self.held_s += self.sample_s / self.opened.speed
         self.last = told
-        self.socket.send(told)
+        self._send(told)
         if one is None:
             return None
         return SensorReply(self.number, one.number, one.sample_at(told.time_s), answer)
@@ -282,7 +300,8 @@ def _pass(
     while connection.poll():
         number, order = connection.recv()
         if isinstance(order, OpenSensor):
-            sessions[number] = _SensorSession(number, order, ports.to(order.address))
+            to = ports.to(order.address, any_port=order.any_port)
+            sessions[number] = _SensorSession(number, order, to)
         elif number in sessions:
             sessions[number].follow(order)
             if isinstance(order, CloseSensor):

@@ -36,17 +36,21 @@ class Ports:
 
     _streams: dict[Address, socket.socket] = field(default_factory=dict)
 
-    def to(self, address: Address) -> SensorSocket:
-        """Connect to a sensor, discarding what it sent to the previous program."""
+    def to(self, address: Address, *, any_port: bool = False) -> SensorSocket:
+        """Connect to a sensor, discarding what it sent to the previous program.
+
+        Args:
+            address: Of the sensor.
+            any_port: Whether answers from any port of its computer count; otherwise only those
+                from the port of the first one.
+        """
         if address not in self._streams:
             stream = self._streams[address] = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
             stream.setblocking(False)
             local = address.host in ("127.0.0.1", "localhost")
             stream.bind(("127.0.0.1" if local else "", 0))
-        fresh = SensorSocket(_numeric(address), self._streams[address])
-        fresh.receive()
-        fresh.take()
-        return fresh
+        SensorSocket(_numeric(address), self._streams[address]).receive()
+        return SensorSocket(_numeric(address), self._streams[address], any_port)
 
     def close(self) -> None:
         """Close all ports."""
@@ -62,8 +66,12 @@ class SensorSocket:
     address: Address
     """Its numeric host, as in incoming datagrams."""
     stream: socket.socket
+    any_port: bool = False
+    """Whether answers from any port of the host count."""
     dropped: int = 0
-    """Number of datagrams that were not messages, or came from another host."""
+    """Number of datagrams that were not messages, or came from another host or port."""
+    _port: int | None = None
+    """Port of the first answer, which the sensor keeps; None before."""
     _number: int = 0
     _answer: SensorAnswer | None = None
     _has_guided: bool = False
@@ -85,8 +93,8 @@ class SensorSocket:
             except OSError:
                 # Some systems report here that the last message was not received.
                 continue
-            if sender[0] != self.address.host:
-                # No other host on the network may guide the robot.
+            if sender[0] != self.address.host or self._port not in (None, sender[1]):
+                # Nobody else may guide the robot.
                 self.dropped += 1
                 continue
             try:
@@ -94,6 +102,9 @@ class SensorSocket:
                 answers += 1
             except DecodeError:
                 self.dropped += 1
+                continue
+            if not self.any_port:
+                self._port = sender[1]
         return answers
 
     def take(self) -> SensorAnswer | None:
@@ -126,6 +137,8 @@ class PacedSensor(SilentSensor):
     socket: SensorSocket
     waits_full: bool
     """Whether a cycle takes its full time, or ends with an answer."""
+    _is_awaited: bool = True
+    """Whether the sensor has answered the last message of a stream, so that the next may wait."""
     _sample_s: float = CYCLE_S
     _due_s: float = 0.0
 
@@ -145,23 +158,31 @@ class PacedSensor(SilentSensor):
         self._send(feedback)
         return self.socket.take()
 
-    def _send(self, feedback: Feedback) -> None:
+    def _send(self, feedback: Feedback) -> bool:
+        """Send a message and wait until the next one is due; return whether there is an answer."""
+        answers = 0
         self.socket.send(feedback)
         self._due_s = max(self._due_s + self._sample_s, monotonic() - self._sample_s)
         while (left_s := self._due_s - monotonic()) > 0.0:
             ready, _, _ = select.select([self.socket.stream], [], [], left_s)
-            if ready and self.socket.receive() and not self.waits_full:
-                break
-        self.socket.receive()
+            if ready:
+                answers += self.socket.receive()
+                if answers and not self.waits_full:
+                    break
+        return bool(answers + self.socket.receive())
 
     def end(self, feedback: Feedback) -> None:
         """Send a last message."""
         self.socket.send(feedback)
 
     def stream(self, stream: Sequence[Feedback]) -> None:
-        """Send each message at its wall-clock time."""
+        """Send each message at its wall-clock time; at once if nobody listens and none is kept."""
         for feedback in stream:
-            self._send(feedback)
+            if self.waits_full or self._is_awaited:
+                self._is_awaited = self._send(feedback)
+            else:
+                self.socket.send(feedback)
+                self._is_awaited = bool(self.socket.receive())
 
 
 @dataclass(slots=True, eq=False)
@@ -174,7 +195,8 @@ class PacedSensors:
 
     def open(self, device: str) -> PacedSensor:
         """See `GuidanceSensors`."""
-        return PacedSensor(self._ports.to(self.devices.address(device)), self.waits_full)
+        address = self.devices.address(device)
+        return PacedSensor(self._ports.to(address, any_port=self.devices.any_port), self.waits_full)
 
     def close(self) -> None:
         """See `GuidanceSensors`."""
@@ -230,7 +252,8 @@ class StepSensors:
 
     def open(self, device: str) -> StepSensor:
         """See `GuidanceSensors`."""
-        sensor = StepSensor(self._ports.to(self.devices.address(device)))
+        address = self.devices.address(device)
+        sensor = StepSensor(self._ports.to(address, any_port=self.devices.any_port))
         self._open.append(sensor)
         return sensor
 

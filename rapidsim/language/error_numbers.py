@@ -290,6 +290,7 @@ EVENTS: Mapping[float, int] = MappingProxyType(
         ERR_NOTARR: 40242,
         ERR_UNKINO: 40243,
         ERR_INOISSAFE: 40246,
+        ERR_UDPUC_COMM: 41822,
     }
 )
 """The controller's event number for the errors that have one."""

@@ -55,6 +55,11 @@ class NotAllowed(Stopped):
     Source: the event log messages of RobotWare 5.15; those that name no recovery.
     """
 
+    def __init__(self, reason: str, cf: str | None = None) -> None:
+        """Store the reason, in one line for the user, and the controller's event if known."""
+        super().__init__(reason)
+        self.cf = cf
+
 
 class NotDeclared(Stopped):
     """The run reaches a name that none of its files declares; a controller may well have it."""

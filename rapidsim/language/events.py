@@ -197,6 +197,8 @@ _RUNNING = """\
 40246 a safe interrupt cannot be changed
 40501 a wait ended by its time limit
 40512 a target lacks the value of an active external axis
+41822 no data come from the device of a sensor
+41826 an EGM instruction is of another mode than its setup
 """
 _MOVING = """\
 50024 a corner is executed as a stop: the next move is not known in time

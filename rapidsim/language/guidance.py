@@ -45,6 +45,37 @@ class SensorSetup:
 
 
 @value_class(frozen=True, slots=True)
+class Exchange:
+    """Data and signals that the program exchanges with the sensor beside goals and positions."""
+
+    numbers_to: list[float] | None = None
+    """Array that the sensor receives with each message; it is read then."""
+    output_to: str | None = None
+    """Digital output whose value the sensor receives."""
+    numbers_from: list[float] | None = None
+    """Array that receives the numbers of the sensor's answers."""
+    input_from: str | None = None
+    """Digital input that takes the value in the sensor's answers."""
+
+    def over(self, before: Exchange) -> Exchange:
+        """Return the exchange whose parts replace those of an earlier instruction."""
+        return Exchange(
+            before.numbers_to if self.numbers_to is None else self.numbers_to,
+            self.output_to or before.output_to,
+            before.numbers_from if self.numbers_from is None else self.numbers_from,
+            self.input_from or before.input_from,
+        )
+
+    @property
+    def receives(self) -> bool:
+        """Whether the program receives anything from the sensor."""
+        return self.numbers_from is not None or self.input_from is not None
+
+
+NO_EXCHANGE: Final = Exchange()
+
+
+@value_class(frozen=True, slots=True)
 class PoseFrames:
     """The frames to which poses refer; types are those of egmframetype."""
 
@@ -62,14 +93,16 @@ class Activation:
     """J1..J7 or x..rz [deg, mm]; None if the call omits it."""
     tool: ToolData | None
     wobj: WobjData | None
-    filter_hz: float
+    filter_hz: float | None
+    """Bandwidth of the goal's filter; None for that of the configuration."""
     sample_s: float
     max_speed: float
     """[deg/s]"""
+    max_deviation: float
+    """Largest distance [deg] of an axis from where the guidance began."""
     frames: PoseFrames | None = None
     """Frames of poses; None for joints."""
-    values: list[float] | None = None
-    """Receives the numbers that the sensor sends with its answers."""
+    exchange: Exchange = NO_EXCHANGE
     streams: bool = False
 
 
@@ -78,15 +111,18 @@ class GuidanceTerms:
     """Data of EGMRunJoint and EGMRunPose: axes, gain and end of a guidance."""
 
     chosen: tuple[bool, ...]
-    """J1..J7 or x..rz; if none is True, all are guided."""
+    """J1..J7 or x..rz; the others do not move."""
     moves_back: bool
     waits: bool
     condition_s: float
-    ramp_in_s: float
-    ramp_out_s: float
+    ramp_in_s: float | None
+    ramp_out_s: float | None
+    """None for the ramps of the configuration."""
     gain: float
     """PosCorrGain, 0..1."""
     offset: Pose | None = None
+    exchange: Exchange = NO_EXCHANGE
+    """Replaces parts of that of the activation."""
 
 
 class Guidance(Protocol):
@@ -133,8 +169,14 @@ class Guidance(Protocol):
         """Wait until the guided robot has arrived; raises as `guide` does."""
         ...
 
-    def end_guidance(self, identity: int, *, moves_back: bool, ramp_out_s: float) -> None:
-        """End the guidance; returns when the robot is at rest."""
+    def end_guidance(self, identity: int, *, moves_back: bool, ramp_out_s: float | None) -> None:
+        """End the guidance; returns when the robot is at rest.
+
+        Args:
+            identity: That of the sensor.
+            moves_back: Whether the robot returns to where the guidance began.
+            ramp_out_s: Time [s] for that; None for the ramp of the configuration.
+        """
         ...
 
     def stream(self, identity: int, sample_s: float | None) -> None:

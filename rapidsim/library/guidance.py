@@ -10,15 +10,12 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
-from types import MappingProxyType
-from typing import Annotated, Final, Unpack, cast
+from typing import Annotated, Final, Unpack, cast, overload
 
 from rapidsim.language import types
 from rapidsim.language.annotations import (
-    Dnum,
     MecUnit,
     Num,
-    ParameterMode,
     Pers,
     String,
     Switch,
@@ -30,6 +27,7 @@ from rapidsim.language.error_numbers import ERR_ARGVALERR, rapid_error
 from rapidsim.language.guidance import (
     RAMP_DOWN,
     Activation,
+    Exchange,
     Guidance,
     GuidanceTerms,
     PoseFrames,
@@ -47,12 +45,12 @@ from rapidsim.library.guidance_arguments import (
     AnalogInputs,
     AnalogOutputs,
     EgmIdent,
-    Exchange,
     GroupInputs,
     JointBands,
     JointSwitches,
     PoseBands,
     PoseSwitches,
+    exchange_of,
     identity_number,
     sample_s,
 )
@@ -64,11 +62,10 @@ EgmFrameType = Annotated[float, types.Alias("egmframetype", types.NUM)]
 EgmState = Annotated[float, types.Alias("egmstate", types.NUM)]
 EgmStopMode = Annotated[float, types.Alias("egmstopmode", types.NUM)]
 
-LP_FILTER_HZ: Final = 20.0
 MAX_SPEED_DEVIATION: Final = 1.0
+MAX_POS_DEVIATION: Final = 1000.0
 TIMEOUT_S: Final = 1.0
 CONDITION_S: Final = 1.0
-RAMP_S: Final = 1.0
 
 
 def egm_get_id(controller: Guidance, egmid: Var[EgmIdent]) -> None:
@@ -104,7 +101,7 @@ def egm_setup_uc(
 ) -> None:
     """Connect an identity with a sensor over UDP; without a switch it only receives positions."""
     del mec_unit, aptr, latr
-    silence_s = TIMEOUT_S if comm_timeout is None else _positive("CommTimeout", comm_timeout)
+    silence_s = _positive("CommTimeout", comm_timeout, TIMEOUT_S)
     setup = SensorSetup(
         uc_device.rstrip(":"),
         ext_config_name,
@@ -172,14 +169,13 @@ def egm_setup_gi(
 
 
 def egm_act_joint(
-    controller: Controller,
+    controller: Guidance,
     egmid: Var[EgmIdent],
     *,
     stream_start: Switch = False,
     tool: Pers[ToolData] | None = None,
     wobj: Pers[WobjData] | None = None,
     tload: Pers[LoadData] | None = None,
-    data_from_sensor: Annotated[list[Dnum], ParameterMode.INOUT] | None = None,
     lp_filter: Num | None = None,
     sample_rate: Num | None = None,
     max_pos_deviation: Num | None = None,
@@ -188,30 +184,24 @@ def egm_act_joint(
 ) -> None:
     """Let the sensor send joint goals, with the bands within which they are reached."""
     del tload
-    note_ignored_options(
-        controller.fidelity,
-        "EGMActJoint",
-        {r"\MaxPosDeviation": max_pos_deviation, **_exchanged(bands)},
-    )
-    controller.guidance.activate(
+    controller.activate(
         identity_number(egmid, "EGMActJoint"),
         Activation(
             tuple(bands.get(name) for name in JOINTS),  # type: ignore[misc]
             tool.value if tool else None,
             wobj.value if wobj else None,
-            LP_FILTER_HZ if lp_filter is None else _positive("LpFilter", lp_filter),
+            _positive("LpFilter", lp_filter),
             sample_s(sample_rate),
-            MAX_SPEED_DEVIATION
-            if max_speed_deviation is None
-            else _positive("MaxSpeedDeviation", max_speed_deviation),
-            values=data_from_sensor,
+            _positive("MaxSpeedDeviation", max_speed_deviation, MAX_SPEED_DEVIATION),
+            _positive("MaxPosDeviation", max_pos_deviation, MAX_POS_DEVIATION),
+            exchange=exchange_of(bands),
             streams=stream_start,
         ),
     )
 
 
 def egm_act_pose(
-    controller: Controller,
+    controller: Guidance,
     egmid: Var[EgmIdent],
     corr_frame: Pose,
     corr_fr_type: EgmFrameType,
@@ -222,7 +212,6 @@ def egm_act_pose(
     tool: Pers[ToolData] | None = None,
     wobj: Pers[WobjData] | None = None,
     tload: Pers[LoadData] | None = None,
-    data_from_sensor: Annotated[list[Dnum], ParameterMode.INOUT] | None = None,
     lp_filter: Num | None = None,
     sample_rate: Num | None = None,
     max_pos_deviation: Num | None = None,
@@ -231,31 +220,25 @@ def egm_act_pose(
 ) -> None:
     """Let the sensor send poses of the TCP as goals, with their frames and bands."""
     del tload
-    note_ignored_options(
-        controller.fidelity,
-        "EGMActPose",
-        {r"\MaxPosDeviation": max_pos_deviation, **_exchanged(bands)},
-    )
-    controller.guidance.activate(
+    controller.activate(
         identity_number(egmid, "EGMActPose"),
         Activation(
             tuple(bands.get(name) for name in POSE_AXES),  # type: ignore[misc]
             tool.value if tool else None,
             wobj.value if wobj else None,
-            LP_FILTER_HZ if lp_filter is None else _positive("LpFilter", lp_filter),
+            _positive("LpFilter", lp_filter),
             sample_s(sample_rate),
-            MAX_SPEED_DEVIATION
-            if max_speed_deviation is None
-            else _positive("MaxSpeedDeviation", max_speed_deviation),
+            _positive("MaxSpeedDeviation", max_speed_deviation, MAX_SPEED_DEVIATION),
+            _positive("MaxPosDeviation", max_pos_deviation, MAX_POS_DEVIATION),
             frames=PoseFrames(corr_frame, corr_fr_type, sensor_frame, sensor_fr_type),
-            values=data_from_sensor,
+            exchange=exchange_of(bands),
             streams=stream_start,
         ),
     )
 
 
 def egm_run_joint(
-    controller: Controller,
+    controller: Guidance,
     egmid: Var[EgmIdent],
     mode: EgmStopMode,
     *,
@@ -267,7 +250,6 @@ def egm_run_joint(
     **chosen: Unpack[JointSwitches],
 ) -> None:
     """Let the sensor move the joints until they have reached its goal."""
-    note_ignored_options(controller.fidelity, "EGMRunJoint", _exchanged(chosen))
     terms = _terms(
         [bool(chosen.get(name)) for name in JOINTS],
         mode,
@@ -275,12 +257,13 @@ def egm_run_joint(
         (cond_time, ramp_in_time, ramp_out_time),
         pos_corr_gain,
         None,
+        exchange_of(chosen),
     )
-    controller.guidance.guide(identity_number(egmid, "EGMRunJoint"), terms)
+    controller.guide(identity_number(egmid, "EGMRunJoint"), terms)
 
 
 def egm_run_pose(
-    controller: Controller,
+    controller: Guidance,
     egmid: Var[EgmIdent],
     mode: EgmStopMode,
     *,
@@ -293,7 +276,6 @@ def egm_run_pose(
     **chosen: Unpack[PoseSwitches],
 ) -> None:
     """Let the sensor move the TCP until it has reached its goal."""
-    note_ignored_options(controller.fidelity, "EGMRunPose", _exchanged(chosen))
     terms = _terms(
         [bool(chosen.get(name)) for name in POSE_AXES],
         mode,
@@ -301,8 +283,9 @@ def egm_run_pose(
         (cond_time, ramp_in_time, ramp_out_time),
         pos_corr_gain,
         offset,
+        exchange_of(chosen),
     )
-    controller.guidance.guide(identity_number(egmid, "EGMRunPose"), terms)
+    controller.guide(identity_number(egmid, "EGMRunPose"), terms)
 
 
 def egm_wait_cond(controller: Guidance, egmid: Var[EgmIdent]) -> None:
@@ -318,7 +301,7 @@ def egm_stop(
     ramp_out_time: Num | None = None,
 ) -> None:
     """End the guidance; the robot stays, or returns to the position where the guidance began."""
-    ramp_s = RAMP_S if ramp_out_time is None else _positive("RampOutTime", ramp_out_time)
+    ramp_s = _positive("RampOutTime", ramp_out_time)
     controller.end_guidance(
         identity_number(egmid, "EGMStop"), moves_back=mode == RAMP_DOWN, ramp_out_s=ramp_s
     )
@@ -374,43 +357,37 @@ def _terms(
     times: tuple[float | None, float | None, float | None],
     gain: float | None,
     offset: Pose | None,
+    exchange: Exchange,
 ) -> GuidanceTerms:
     condition, ramp_in, ramp_out = times
-    gain = 1.0 if gain is None else _positive("PosCorrGain", gain)
+    gain = _positive("PosCorrGain", gain, 1.0)
     if gain > 1.0:
         raise rapid_error(ERR_ARGVALERR, f"PosCorrGain is {gain:g}; 0..1 is possible")
     return GuidanceTerms(
         tuple(chosen),
         mode == RAMP_DOWN,
         waits,
-        CONDITION_S if condition is None else _positive("CondTime", condition),
-        RAMP_S if ramp_in is None else _positive("RampInTime", ramp_in),
-        RAMP_S if ramp_out is None else _positive("RampOutTime", ramp_out),
+        _positive("CondTime", condition, CONDITION_S),
+        _positive("RampInTime", ramp_in),
+        _positive("RampOutTime", ramp_out),
         gain,
         offset,
+        exchange,
     )
 
 
-def _positive(name: str, value: float) -> float:
+@overload
+def _positive(name: str, value: float | None) -> float | None: ...
+@overload
+def _positive(name: str, value: float | None, default: float) -> float: ...
+def _positive(name: str, value: float | None, default: float | None = None) -> float | None:
+    """The value of an argument, which cannot be negative; the default if the call omits it."""
+    if value is None:
+        return default
     if not value >= 0.0:
         raise rapid_error(ERR_ARGVALERR, f"{name} is {value:g}; it cannot be negative")
     return value
 
-
-def _exchanged(options: Exchange) -> Mapping[str, object]:
-    """Options whose values a run does not exchange with the sensor."""
-    return {spelled: options.get(name) for name, spelled in _EXCHANGED.items()}
-
-
-_EXCHANGED: Mapping[str, str] = MappingProxyType(
-    {
-        "data_to_sensor": r"\DataToSensor",
-        "do_to_sensor": r"\DOToSensor",
-        "di_from_sensor": r"\DIFromSensor",
-        "data_from_sensor": r"\DataFromSensor",
-    }
-)
-"""Options not yet sent on the wire, except the values that EGMActJoint and EGMActPose receive."""
 
 _SOURCE = r"MecUnit EGMid ExtConfigName"
 _PURPOSE = r"\Joint|\Pose|\PathCorr \APTR|\LATR"

@@ -22,8 +22,10 @@ from rapidsim.language.annotations import (
 from rapidsim.language.data import EgmMinMax
 from rapidsim.language.error_numbers import ERR_ARGVALERR, rapid_error
 from rapidsim.language.errors import NotAllowed
+from rapidsim.language.guidance import Exchange
 from rapidsim.language.reference import Reference
 from rapidsim.library.motion import MoveOptions
+from rapidsim.library.signals import connected
 
 EgmIdent = Annotated[int | None, next(one for one in types.OPAQUE if one.name == "egmident")]
 """The number of an identity; None before EGMGetId."""
@@ -35,21 +37,16 @@ EXTERNAL: Final = ("e1", "e2", "e3", "e4", "e5", "e6")
 POSE_AXES: Final = ("x", "y", "z", "rx", "ry", "rz")
 
 
-class Exchange(TypedDict, total=False):
+class ExchangeOptions(TypedDict, total=False):
     """Data and signals of the program that are exchanged with the sensor."""
 
     data_to_sensor: Annotated[list[Dnum], ParameterMode.INOUT]
     do_to_sensor: Var[SignalDo]
     di_from_sensor: Var[SignalDi]
-
-
-class RunExchange(Exchange, total=False):
-    """Data and signals that EGMRunJoint and EGMRunPose exchange with the sensor."""
-
     data_from_sensor: Annotated[list[Dnum], ParameterMode.INOUT]
 
 
-class JointBands(Exchange, total=False):
+class JointBands(ExchangeOptions, total=False):
     """Convergence band [deg] of each axis around its goal."""
 
     j1: EgmMinMax
@@ -61,7 +58,7 @@ class JointBands(Exchange, total=False):
     j7: EgmMinMax
 
 
-class PoseBands(Exchange, total=False):
+class PoseBands(ExchangeOptions, total=False):
     """Convergence band [mm, deg] of each direction of the TCP around its goal."""
 
     x: EgmMinMax
@@ -123,7 +120,7 @@ class GroupInputs(TypedDict, total=False):
     gi_e6: Var[SignalGi]
 
 
-class JointSwitches(RunExchange, total=False):
+class JointSwitches(ExchangeOptions, total=False):
     """The axes that a sensor moves."""
 
     j1: Switch
@@ -135,7 +132,7 @@ class JointSwitches(RunExchange, total=False):
     j7: Switch
 
 
-class PoseSwitches(RunExchange, total=False):
+class PoseSwitches(ExchangeOptions, total=False):
     """The directions in which a sensor moves the TCP."""
 
     x: Switch
@@ -151,6 +148,17 @@ def identity_number(egmid: Reference[int | None], instruction: str) -> int:
     if egmid.value is None:
         raise NotAllowed(f"{instruction}: the EGM identity is not there; EGMGetId makes it")
     return egmid.value
+
+
+def exchange_of(options: ExchangeOptions) -> Exchange:
+    """Data and signals that an instruction exchanges with the sensor."""
+    output, input_ = options.get("do_to_sensor"), options.get("di_from_sensor")
+    return Exchange(
+        options.get("data_to_sensor"),
+        None if output is None else connected(output),
+        options.get("data_from_sensor"),
+        None if input_ is None else connected(input_),
+    )
 
 
 def sample_s(

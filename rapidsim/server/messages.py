@@ -150,9 +150,9 @@ class FromNetwork:
 class ReadState:
     """Read of the controller's state, which has no effect and takes no time."""
 
-    task: str = ""
-    module: str = ""
-    """Module of that task whose text is read; empty for the state of the controller."""
+    view: str = "state"
+    """The part that is read: see `resources/operator_view.py`."""
+    query: Fields = field(default_factory=dict)
 
 
 Message: TypeAlias = Request | SessionEnded | Subscribe | Unsubscribe | FromNetwork

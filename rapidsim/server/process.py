@@ -228,7 +228,12 @@ def _run(
                 )
             wire = SocketWire(settings.hosts)
             is_guided = settings.request_s is None and settings.speed is not None and made.is_guided
-            devices = sensor_devices(settings.sensors, made.options.configured, settings.hosts)
+            devices = sensor_devices(
+                settings.sensors,
+                made.options.configured,
+                settings.hosts,
+                any_port=settings.any_sensor_port,
+            )
             steps = StepSensors(devices)
             paced: GuidanceSensors = PacedSensors(devices, waits_full=False)
             if settings.request_s is not None:

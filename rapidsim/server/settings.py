@@ -40,6 +40,8 @@ class EngineSettings:
     """Other hosts that programs' sockets may bind or connect to."""
     sensors: tuple[tuple[str, Address], ...] = ()
     """Devices of sensors that guide robots, and their addresses."""
+    any_sensor_port: bool = False
+    """Whether sensors may answer from any port of their computer."""
     journal: Path | None = None
     """File of the journal; None for no journal."""
     record: Path | None = None

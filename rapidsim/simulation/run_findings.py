@@ -75,7 +75,7 @@ def stopped_finding(stopped: Stopped, place: Place) -> Diagnostic:
 def not_allowed_finding(stopped: NotAllowed, place: Place) -> Diagnostic:
     """Return the instruction at which a controller stops, with the call chain as related places."""
     routine, span, callers = _stack_place(rapid_stack(stopped), place)
-    return Diagnostic(UncaughtError(stopped.reason), span, callers, routine=routine)
+    return Diagnostic(UncaughtError(stopped.reason, stopped.cf), span, callers, routine=routine)
 
 
 def not_declared_finding(stopped: NotDeclared, place: Place) -> Diagnostic:

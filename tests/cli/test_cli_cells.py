@@ -39,7 +39,7 @@ BACK = "MODULE back(SYSMODULE)\n PROC watch()\n  WaitTime 1;\n ENDPROC\nENDMODUL
 
 def written(folder: Path, **files: str) -> Path:
     for name, text in files.items():
-        file = folder / name.replace("__", "/").replace("_", ".")
+        file = folder / ".".join(name.replace("__", "/").rsplit("_", 1))
         file.parent.mkdir(parents=True, exist_ok=True)
         file.write_text(text)
     return folder
@@ -52,7 +52,7 @@ def asked(place: Path, path: str) -> tuple[str, dict[str, object]]:
     return checked.out, json.loads(ran.out)
 
 
-@pytest.mark.parametrize("where", ["", "SYSPAR__"])
+@pytest.mark.parametrize("where", ["", "SYSPAR__", "config__Grippers_"])
 @pytest.mark.parametrize("modules", ["", "PROGMOD__", "RAPID__"])
 def test_configuration_beside_modules_makes_a_cell(
     where: str, modules: str, tmp_path: Path

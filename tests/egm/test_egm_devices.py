@@ -26,6 +26,13 @@ SIO: Mapping[str, Mapping[str, Sequence[Mapping[str, str]]]] = {
 }
 
 
+def test_robotware_7_has_devices_of_another_type() -> None:
+    row = {"name": "ROB_1", "type": "UDPUC", "remoteaddress": "", "remoteportnumber": "6511"}
+    devices = sensor_devices([], {"SIO": {"UDPUC_HOST": [row]}}, frozenset())
+    assert devices.address("rob_1") == ("127.0.0.1", 6511)
+    assert devices.addresses == {"ROB_1": ":6511"}
+
+
 def test_the_command_line_counts_over_the_configuration() -> None:
     devices = sensor_devices([("ucDEVICE", Address("127.0.0.1", 7000))], SIO, frozenset())
     assert devices.address("UCdevice") == ("127.0.0.1", 7000)

@@ -6,6 +6,7 @@ import socket
 from collections.abc import Iterator
 from contextlib import contextmanager
 from copy import deepcopy
+from dataclasses import replace
 from multiprocessing import Pipe
 from threading import Thread
 from time import monotonic
@@ -21,7 +22,13 @@ from rapidsim.egm.guided_sensors import GuidedSensors
 from rapidsim.egm.messages import PATH_CORRECTION, ROBOT, SENSOR, MessageType
 from rapidsim.egm.sensor_loop import serve_sensors
 from rapidsim.frames.transform import Transform
-from rapidsim.motion.guidance.feedback import Frames, Guided, GuidedFeedback, standing_feedback
+from rapidsim.motion.guidance.feedback import (
+    Frames,
+    Guided,
+    GuidedFeedback,
+    ProgramData,
+    standing_feedback,
+)
 from rapidsim.motion.guidance.goals import Band, JointGoal
 from rapidsim.motion.guidance.guided_execution import EndConditions, EndReason, GuidedExecution
 from rapidsim.motion.guidance.joint_law import CYCLE_S, GuidedAxes, JointMotion, Tuning
@@ -112,7 +119,7 @@ def test_a_stream_goes_on_where_the_controller_says_nothing_new() -> None:
     assert [one["header"]["tm"] - first for one in frames] == [4 * k for k in range(8)]
     joints = [one["feedBack"]["joints"]["joints"] for one in frames]
     assert joints[4:] == [list(stream[4].joints)] * 4
-    assert {one["mciState"]["state"] for one in frames} == {0}
+    assert {one["mciState"]["state"] for one in frames} == {2}
 
 
 def test_what_is_streamed_of_a_corrected_path_is_answered() -> None:
@@ -174,3 +181,20 @@ def test_a_guide_that_is_gone_is_a_silent_sensor() -> None:
         sensors.connection.close()
         one.begin(run, FeedbackSchedule(0.0, 1, feedback))
         assert one.exchange(feedback(run, 0.0)) is None
+
+
+def test_data_of_the_program_go_with_all_messages_from_then_on() -> None:
+    # The guide has them with its orders; the controller need not be on time.
+    run, feedback = begun()
+    with guided() as (sensors, sensor):
+        one = sensors.open("dev")
+        one.begin(deepcopy(run), FeedbackSchedule(0.1, 2, feedback, ProgramData(False, (1.0,))))
+        frame, _ = heard(sensor)
+        assert frame["RAPIDfromRobot"] == {"digVal": 0, "dnum": [1.0]}
+        changed = replace(feedback(run, 0.1), sent=ProgramData(True, (2.0, 3.0)))
+        one.exchange(changed)
+        while frame["RAPIDfromRobot"]["digVal"] == 0:
+            frame, _ = heard(sensor)
+        assert frame["RAPIDfromRobot"] == {"digVal": 1, "dnum": [2.0, 3.0]}
+        assert frame["CollisionInfo"] == {"collsionTriggered": 0}
+        one.end(changed)

@@ -4,11 +4,18 @@ from __future__ import annotations
 
 import select
 import socket
+from dataclasses import replace
+from time import monotonic
 
 from rapidsim.egm.codec import encode
-from rapidsim.egm.devices import Address
+from rapidsim.egm.devices import Address, SensorDevices
 from rapidsim.egm.messages import SENSOR
-from rapidsim.egm.udp import Ports
+from rapidsim.egm.udp import PacedSensors, Ports
+from rapidsim.motion.guidance.feedback import Feedback, Guided
+
+STANDING = Feedback(
+    0.0, (0.0,) * 6, (), (0.0,) * 3, (1.0, 0.0, 0.0, 0.0), Guided.NOT_YET, False, 0.0
+)
 
 ANSWER = encode(SENSOR, {"planned": {"joints": {"joints": [1.0, 2.0, 3.0, 4.0, 5.0, 6.0]}}})
 
@@ -23,6 +30,38 @@ def _heard(host: str) -> tuple[int, int]:
         answers = sensor.receive()
         ports.close()
         return answers, sensor.dropped
+
+
+def test_a_sensor_keeps_the_port_of_its_first_answer() -> None:
+    # Another program of the same computer does not take the robot over, unless that is permitted.
+    ports = Ports()
+    address = Address("127.0.0.1", 6510)
+    with (
+        socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as first,
+        socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as second,
+    ):
+        for any_port, counted in ((False, (2, 1)), (True, (3, 0))):
+            sensor = ports.to(address, any_port=any_port)
+            answers = 0
+            for sender in (first, second, first):
+                sender.sendto(ANSWER, ("127.0.0.1", sensor.stream.getsockname()[1]))
+                assert select.select([sensor.stream], [], [], 10.0)[0]
+                answers += sensor.receive()
+            assert (answers, sensor.dropped) == counted
+        # A later program, or the same after EGMReset, may have another sensor.
+        second.sendto(ANSWER, ("127.0.0.1", ports.to(address).stream.getsockname()[1]))
+        assert ports.to(address).take() is None
+    ports.close()
+
+
+def test_a_stream_that_nobody_answers_takes_no_time() -> None:
+    # Where cycles end with their answers, as at `--speed max`, only an answer is worth a wait.
+    stream = [replace(STANDING, time_s=0.004 * k) for k in range(250)]
+    sensors = PacedSensors(SensorDevices({"dev": Address("127.0.0.1", 9)}), waits_full=False)
+    began_s = monotonic()
+    sensors.open("dev").stream(stream)
+    sensors.close()
+    assert monotonic() - began_s < 0.5
 
 
 def test_only_the_computer_of_the_sensor_guides_the_robot() -> None:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
 from hypothesis import given
 from hypothesis import strategies as st
@@ -96,3 +98,51 @@ def test_answers_that_hold_no_goal_are_silence() -> None:
     for _ in range(260):
         run.step(SensorAnswer(joints=(1.0,)))
     assert run.ended is EndReason.SILENT
+
+
+RECORDED = {200: 0.015413, 300: 0.058847, 625: 0.423257, 1000: 0.903201, 1200: 0.993696}
+"""Share of its distance that every axis had covered at these frames of 4 ms.
+
+Source: rparak/ABB_EGM_Python, IRB 120 with RobotWare 6.15 in RobotStudio, configuration `default`,
+LpFilter 100, goals on a polynomial of fifth degree over 1250 frames; IRB 14000 the same to 1e-4.
+"""
+
+
+def test_the_lag_behind_the_goal_is_that_of_a_recorded_run() -> None:
+    # Of the longest distance, 80 degrees, 0.05 degrees are 6e-4.
+    wide = np.full(1, 1e3)
+    run = GuidedExecution(
+        JointMotion(GuidedAxes(-wide, wide, wide, wide), np.zeros(1), np.zeros(1)),
+        JointGoal(Band(np.ones(1, dtype=bool), -wide, wide), (100.0,), np.zeros(1)),
+        Tuning(5.0, bandwidth=20.0),
+        EndConditions(math.inf, 0.1, math.inf, False, 0.0),
+    )
+    covered, answer = {}, None
+    for frame in range(1251):
+        covered[frame] = float(np.degrees(run.motion.joints[0])) / 80.0
+        run.step(answer)
+        u = frame / 1250
+        answer = SensorAnswer(joints=(80.0 * u**3 * (10.0 - 15.0 * u + 6.0 * u**2),))
+    for frame, share in RECORDED.items():
+        assert abs(covered[frame] - share) < 6e-4, frame
+
+
+def test_the_fastest_axis_slows_the_others_down() -> None:
+    # A limit of the speed changes the pace, not the direction.
+    run = guided(filters=())
+    run.tuning = Tuning(5.0, max_speed=0.1)
+    rows = followed(run, [(0.3, 0.15)], 200)
+    assert np.abs(rows[:, 1]).max() <= 0.1 + 1e-12
+    assert np.allclose(rows[60:, 1, 0], 2.0 * rows[60:, 1, 1], rtol=0.0, atol=1e-9)
+
+
+def test_a_large_gain_overshoots_as_on_a_controller() -> None:
+    # Users see none at the default gain of 5, and some at 12.
+    past = []
+    for gain in (5.0, 12.0):
+        run = guided(gain, filters=(20.0,))
+        run.tuning = Tuning(gain, bandwidth=20.0)
+        rows = followed(run, [(0.1, 0.1)], 500)
+        past.append(float(rows[:, 0].max()) - 0.1)
+    assert past[0] < 0.003
+    assert past[1] > 0.003

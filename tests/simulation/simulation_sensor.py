@@ -8,11 +8,13 @@ from dataclasses import dataclass, field
 import numpy as np
 from simulation_program import Ran, ran
 
+from rapidsim.controller.cell.description import CellIo
 from rapidsim.controller.cell.network import Network
 from rapidsim.controller.cell.sensors import SilentSensor
 from rapidsim.motion.guidance.feedback import Feedback
 from rapidsim.motion.guidance.sensor import SensorAnswer
 
+NO_IO = CellIo()
 Script = Callable[[Feedback], SensorAnswer | None]
 
 
@@ -48,9 +50,9 @@ class Devices:
         """A run is over."""
 
 
-def sensed(text: str, script: Script) -> tuple[Ran, Devices]:
+def sensed(text: str, script: Script, io: CellIo = NO_IO) -> tuple[Ran, Devices]:
     devices = Devices(Scripted(script))
-    return ran(text, network=Network(sensors=devices)), devices
+    return ran(text, network=Network(sensors=devices), io=io), devices
 
 
 def joints_at(it: Ran, time_s: float) -> np.ndarray:

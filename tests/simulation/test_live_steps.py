@@ -271,3 +271,24 @@ def test_a_loop_that_counts_its_own_time_goes_on_counting_after_a_step() -> None
     # Time passes while a program stands, so its clock counts that, too.
     stood_s = float(live.value("late")) - float(alone.value("late"))
     assert stood_s == pytest.approx(0.2, abs=0.02)
+
+
+def test_a_program_halts_at_its_breakpoints_and_goes_on_from_there() -> None:
+    live = Live(CALLS)
+    controller, task = live.controller, live.controller.task("T_ROB1")
+    first = CALLS.splitlines().index("    n := n + 1;") + 1
+    task.breakpoints |= {("tried", first), ("other", 2)}
+    values = []
+    controller.start(Cycle.ONCE)
+    for _ in range(2):
+        live.after(1.0)
+        assert not controller.executes
+        assert task.module_line(task.place) == ("Tried", first)
+        values.append(live.value("n"))
+        controller.start(Cycle.ONCE)
+    # Before each turn of the loop.
+    assert values == ["2", "3"]
+    task.breakpoints.clear()
+    live.after(1.0)
+    assert live.value("n") == "5"
+    assert sys.gettrace() is None

@@ -240,7 +240,11 @@ EIO_SIGNAL:
     grip, job = signals["doGrip"], signals["goJob"]
     assert (grip.status, grip.task, grip.value) == (Status.TASK_EXECUTING, "T_ROB1", 1.0)
     assert (job.status, job.value) == (Status.EMERGENCY_STOP, 0.0)
+    # RobotWare 7 names the output by the instance.
+    renamed = f"{EIO}\n{shown}".replace('" -Signal "doStands"', '" -Name "doStands"')
+    seven = {one.name: one for one in station(tmp_path, {"SYSPAR/EIO.cfg": renamed}).io.signals}
     stands = signals["doStands"]
+    assert seven["doStands"] == stands
     assert (stands.status, stands.unit, stands.value) == (Status.UNIT_NOT_MOVING, "ROB_1", 1.0)
     # Tables are switched on and off, which is not shown.
     assert "MechUnitActive is not simulated: `doTable`" in said.remarks[-2]

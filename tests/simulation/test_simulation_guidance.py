@@ -15,7 +15,7 @@ from rapidsim.controller.cell.description import (
     SignalKind,
     Stimulus,
 )
-from rapidsim.motion.guidance.feedback import Feedback, Guided
+from rapidsim.motion.guidance.feedback import Feedback, Guided, ProgramData
 from rapidsim.motion.guidance.sensor import SensorAnswer
 
 HEAD = r"""MODULE guided
@@ -157,6 +157,29 @@ def test_axes_that_are_not_chosen_stay() -> None:
     assert np.allclose(joints_at(it, end_s(it)), (10, 0, 0, 0, 30, 0), atol=0.01)
 
 
+def test_without_axes_nothing_moves() -> None:
+    it, _ = guided(
+        "    prepare 1;\n    " + RUN.replace(r" \J1 \J2 \J3 \J4 \J5 \J6", "") + ";", to(GOAL)
+    )
+    assert it.end == "ended"
+    assert np.allclose(joints_at(it, end_s(it)), (0, 0, 0, 0, 30, 0), atol=1e-9)
+    # The program goes on at once.
+    assert end_s(it) < 0.2
+
+
+def test_no_axis_gets_further_from_its_start_than_permitted() -> None:
+    head = HEAD.replace(r"\MaxSpeedDeviation:=90", r"\MaxPosDeviation:=4 \MaxSpeedDeviation:=90")
+    it, _ = guided(
+        "    prepare 1;\n    "
+        + RUN.replace("0.1", "1E9").replace("HOLD,", r"HOLD,\NoWaitCond")
+        + ";\n    WaitTime 3;\n    EGMStop id, EGM_STOP_HOLD;",
+        to(GOAL),
+        head,
+    )
+    assert np.allclose(joints_at(it, end_s(it)), (4, -4, 4, 3, 32, -4), atol=0.01)
+    assert not [code for code, _line in it.findings if code == "R119"]
+
+
 def test_speeds_alone_move_the_robot_where_the_gain_is_nought() -> None:
     it, _ = guided(
         "    prepare 1;\n    "
@@ -215,6 +238,95 @@ def test_a_stream_tells_where_the_robot_is_on_its_way() -> None:
         assert np.allclose(joints_at(it, one.time_s), one.joints, atol=1e-6)
     assert max(one.joints[0] for one in told) == pytest.approx(30.0)
     assert {one.guided for one in told} == {Guided.NOT_YET}
+
+
+def test_a_stream_runs_until_a_guidance_or_egm_stop_ends_it() -> None:
+    it, devices = guided(
+        f"""    prepare 1;
+    EGMStreamStart id;
+    WaitTime 0.1;
+    TPWrite "streams: " \\Num:=EGMGetState(id);
+    EGMStop id, EGM_STOP_HOLD;
+    TPWrite "stopped: " \\Num:=EGMGetState(id);
+    WaitTime 0.1;
+    EGMStreamStart id;
+    {RUN};
+    TPWrite "guided: " \\Num:=EGMGetState(id);
+    WaitTime 0.1;""",
+        to(GOAL),
+    )
+    assert it.texts == ["streams: 2", "stopped: 1", "guided: 1"]
+    streamed = [one.time_s for one in devices.sensor.streamed]
+    assert len(streamed) < 40
+
+
+EXCHANGED = HEAD.replace(
+    "  PROC prepare",
+    "  PERS dnum out{2} := [1,2];\n  PERS dnum got{3} := [0,0,0];\n  PROC prepare",
+).replace(
+    r"id,\Tool:=tool0",
+    r"id,\Tool:=tool0 \DOToSensor:=doReady \DIFromSensor:=diGo \DataToSensor:=out"
+    r" \DataFromSensor:=got",
+)
+BOTH = CellIo(
+    signals=(
+        SignalDeclaration("doReady", SignalKind.DO),
+        SignalDeclaration("diGo", SignalKind.DI),
+        SignalDeclaration("doOther", SignalKind.DO, value=1.0),
+    )
+)
+
+
+def test_data_and_signals_go_both_ways_with_the_messages() -> None:
+    # The array and the output are read with each message; what the sensor sends is there at once.
+    def script(told: Feedback) -> SensorAnswer:
+        return SensorAnswer(joints=GOAL, values=(5.0, 6.0), digital=told.sent.digital)
+
+    body = f"""    prepare 1;
+    {RUN.replace("HOLD,", "HOLD," + chr(92) + "NoWaitCond").replace("0.1", "1E9")};
+    WaitTime 0.5;
+    TPWrite ValToStr(got) + " " + ValToStr(DOutput(doReady)) + ValToStr(TestDI(diGo));
+    SetDO doReady, 1;
+    out := [3,4];
+    WaitDI diGo, 1 \\MaxTime:=0.1;
+    WaitTime 0.1;
+    EGMStop id, EGM_STOP_HOLD;"""
+    it, devices = sensed(f"{EXCHANGED}  PROC main()\n{body}\n  ENDPROC\nENDMODULE\n", script, BOTH)
+    assert (it.end, it.texts) == ("ended", ["[5,6,0] 0FALSE"])
+    sent = [one.sent for one in devices.sensor.heard if one.guided is Guided.RUNNING]
+    assert sent[0] == ProgramData(False, (1.0, 2.0))
+    assert sent[-1] == ProgramData(True, (3.0, 4.0))
+    assert not [code for code, _line in it.findings if code == "R119"]
+
+
+def test_a_run_may_exchange_other_data_than_its_activation() -> None:
+    body = f"    prepare 1;\n    {RUN} \\DOToSensor:=doOther;"
+    it, devices = sensed(
+        f"{EXCHANGED}  PROC main()\n{body}\n  ENDPROC\nENDMODULE\n", to(GOAL), BOTH
+    )
+    assert it.end == "ended"
+    assert devices.sensor.heard[0].sent == ProgramData(True, (1.0, 2.0))
+
+
+def test_a_stream_exchanges_data_as_well() -> None:
+    body = r"""    MoveAbsJ home, v1000, fine, tool0;
+    EGMGetId id;
+    EGMSetupUC ROB_1, id, "default", "UCdevice" \Joint;
+    EGMActJoint id \StreamStart \SampleRate:=8 \DataToSensor:=out \DataFromSensor:=got
+      \DIFromSensor:=diGo;
+    WaitDI diGo, 1 \MaxTime:=1;
+    TPWrite ValToStr(got);
+    EGMStreamStop id;"""
+
+    def script(told: Feedback) -> SensorAnswer:
+        return SensorAnswer(values=(told.time_s,), digital=told.time_s > 0.3)
+
+    it, devices = sensed(f"{EXCHANGED}  PROC main()\n{body}\n  ENDPROC\nENDMODULE\n", script, BOTH)
+    assert it.end == "ended"
+    heard = devices.sensor.heard
+    assert np.allclose(np.diff([one.time_s for one in heard]), 0.008, atol=1e-9)
+    assert it.texts == [f"[{heard[-1].time_s:g},0,0]"]
+    assert {one.guided for one in heard} == {Guided.NOT_YET}
 
 
 POSE = r"""MODULE guided
@@ -291,13 +403,31 @@ def test_a_pose_out_of_reach_ends_the_program() -> None:
         "EGMGetId id;\n EGMRunJoint id, EGM_STOP_HOLD;",
         'EGMGetId id;\n EGMSetupUC ROB_1, id, "default", "x" \\Joint;\n'
         "EGMRunJoint id, EGM_STOP_HOLD;",
-        'EGMGetId id;\n EGMSetupUC ROB_1, id, "default", "x" \\Pose;\n EGMActJoint id;',
     ],
 )
 def test_what_is_missing_before_a_run_is_named(body: str) -> None:
     it, _ = guided(body, to(GOAL))
     assert it.end == "error"
     assert "EGM" in it.run.diagnostics[0].violation.message
+
+
+def test_another_mode_than_that_of_the_setup_has_the_event_of_the_controller() -> None:
+    it, _ = guided(
+        'EGMGetId id;\n EGMSetupUC ROB_1, id, "default", "x" \\Pose;\n EGMActJoint id;', to(GOAL)
+    )
+    assert it.end == "error"
+    assert it.run.diagnostics[0].violation.cf == "ABB 41826"
+
+
+def test_a_pose_is_reached_within_a_millimetre_by_default() -> None:
+    # 0.9 mm beside the goal is near enough where \x is not given.
+    head = POSE.replace(r"\x:=near \y:=near \z:=near \rx:=near \ry:=near \rz:=near ", "")
+    it, devices = guided(
+        "    prepare;\n    " + RUN_POSE + r" \PosCorrGain:=0;", beside(0.9, -0.9), head
+    )
+    assert it.end == "ended"
+    first, last = devices.sensor.heard[0], devices.sensor.heard[-1]
+    assert np.allclose(first.position, last.position)
 
 
 SIGNALS = CellIo(

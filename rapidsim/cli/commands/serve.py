@@ -117,6 +117,12 @@ class ServeOptions:
         multiple=True,
         help="Address of the sensor behind a UDPUC device; overrides SIO.cfg.",
     )
+    egm_any_port: bool = option(
+        "--egm-any-port",
+        is_flag=True,
+        help="A sensor may answer from any port of its computer; otherwise the port of its first "
+        "answer is kept.",
+    )
     home: str | None = option(
         "--home", metavar="DIR", help="The folder for HOME:; default <program>.home."
     )
@@ -287,6 +293,7 @@ def _engine_settings(options: ServeOptions) -> EngineSettings:
         robotware=None if options.robotware is None else int(options.robotware),
         hosts=frozenset(options.network_hosts),
         sensors=tuple(map(read_device, options.sensors)),
+        any_sensor_port=options.egm_any_port,
         journal=None if options.journal is None else Path(options.journal),
         record=None if options.record is None else Path(options.record),
         view=options.view,

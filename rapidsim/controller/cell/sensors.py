@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Protocol
 
-from rapidsim.motion.guidance.feedback import Feedback, GuidedFeedback
+from rapidsim.motion.guidance.feedback import NO_DATA, Feedback, GuidedFeedback, ProgramData
 from rapidsim.motion.guidance.guided_execution import GuidedExecution
 from rapidsim.motion.guidance.sensor import SensorAnswer
 from rapidsim.values import value_class
@@ -20,6 +20,8 @@ class FeedbackSchedule:
     samples: int
     """Number of cycles from one message to the next."""
     feedback: GuidedFeedback
+    sent: ProgramData = NO_DATA
+    """Data of the program for the sensor when it begins."""
 
 
 class GuidanceSensor(Protocol):
@@ -35,7 +37,7 @@ class GuidanceSensor(Protocol):
         ...
 
     def correct(self, first_s: float, sample_s: float) -> None:
-        """Begin a path correction: `exchange` is called every `sample_s` seconds."""
+        """Await answers without a guidance: `exchange` is called every `sample_s` seconds."""
         ...
 
     def exchange(self, feedback: Feedback) -> SensorAnswer | None:

@@ -11,7 +11,7 @@ from rapidsim.controller.motion_state import MotionState
 from rapidsim.controller.moves.resolve import Resolver
 from rapidsim.controller.moves.target_checks import require_orientation
 from rapidsim.frames.transform import Array, Transform
-from rapidsim.language.data import Pose, ToolData, WobjData
+from rapidsim.language.data import TOOL0, Pose, ToolData, WobjData
 from rapidsim.language.errors import NotAllowed
 from rapidsim.language.guidance import Activation
 from rapidsim.motion.configurations import targets
@@ -35,7 +35,7 @@ def frames_of(
         return told_frames(resolver, state, activation.tool, activation.wobj, waypoint.external)
     tool, wobj = activation.tool or state.tool, activation.wobj or state.wobj
     frames = activation.frames
-    base_from_told = _frame(resolver, waypoint, tool, wobj, frames.sensor, frames.sensor_type)
+    base_from_told = _frame(resolver, waypoint, wobj, frames.sensor, frames.sensor_type)
     return Frames(resolver.robot.kinematics, _tool(tool), base_from_told.inverse())
 
 
@@ -88,8 +88,8 @@ def pose_aim(
     return PoseGoal(
         resolver.robot.kinematics,
         _tool(tool),
-        _frame(resolver, waypoint, tool, wobj, frames.sensor, frames.sensor_type),
-        _frame(resolver, waypoint, tool, wobj, frames.correction, frames.correction_type),
+        _frame(resolver, waypoint, wobj, frames.sensor, frames.sensor_type),
+        _frame(resolver, waypoint, wobj, frames.correction, frames.correction_type),
         Transform.identity() if offset is None else _pose("the offset", offset),
         Band(chosen, limits[:, 0], limits[:, 1]),
         filters_hz,
@@ -98,13 +98,14 @@ def pose_aim(
 
 
 def _frame(
-    resolver: Resolver, waypoint: Waypoint, tool: ToolData, wobj: WobjData, frame: Pose, of: float
+    resolver: Resolver, waypoint: Waypoint, wobj: WobjData, frame: Pose, of: float
 ) -> Transform:
     """base_from_frame of a frame that is expressed in a frame of the type `of`."""
     if of == _BASE:
         base_from_type = Transform.identity()
     elif of == _TOOL:
-        base_from_type = resolver.robot.forward(waypoint.joints) @ _tool(tool).inverse()
+        # The manual: relative to tool0, not to the tool.
+        base_from_type = resolver.robot.forward(waypoint.joints) @ _tool(TOOL0).inverse()
     elif of == _WOBJ:
         base_from_type = _work_object(resolver, wobj, waypoint.external)
     elif of == _WORLD:

@@ -16,7 +16,7 @@ from rapidsim.language.data import UNUSED_AXIS, EgmMinMax, ExtJoint
 from rapidsim.language.errors import NotAllowed
 from rapidsim.language.guidance import Activation, GuidanceTerms, SensorSetup
 from rapidsim.motion.geometry.segments import Waypoint
-from rapidsim.motion.guidance.feedback import GuidedFeedback
+from rapidsim.motion.guidance.feedback import GuidedFeedback, ProgramData
 from rapidsim.motion.guidance.goals import Band, GuidanceGoal, JointGoal
 from rapidsim.motion.guidance.guided_execution import EndConditions, GuidedExecution
 from rapidsim.motion.guidance.joint_law import CYCLE_S, GuidedAxes, JointMotion, Tuning
@@ -24,8 +24,11 @@ from rapidsim.motion.timing.axis_limits import Limits
 from rapidsim.motion.trajectory.guided_section import GuidedSection
 from rapidsim.values import value_class
 
-DEFAULT_BAND: Final = EgmMinMax(-0.5, 0.5)
-r"""Default of \J1 and its like: tolerance [deg, mm] of the goal."""
+DEFAULT_ANGLE: Final = EgmMinMax(-0.5, 0.5)
+DEFAULT_LENGTH: Final = EgmMinMax(-1.0, 1.0)
+r"""Defaults of \J1 and its like: tolerance [deg, mm] of the goal."""
+_LENGTHS: Final = 3
+"""Number of lengths that a pose begins with."""
 _ROUNDING: Final = 1e-6
 
 
@@ -38,9 +41,11 @@ class ExternalMotionData:
     gain: float
     """Kp [1/s]."""
     bandwidth_hz: float
+    """Bandwidth of the goal's filter [Hz], and of the speed's [rad/s]; see `joint_law`."""
+    ramp_s: float
 
 
-DEFAULT_DATA: Final = ExternalMotionData(filters=True, gain=5.0, bandwidth_hz=20.0)
+DEFAULT_DATA: Final = ExternalMotionData(filters=True, gain=5.0, bandwidth_hz=20.0, ramp_s=0.5)
 """The configuration `default`, which every controller has; from memory of ABB's documents."""
 
 
@@ -67,6 +72,7 @@ def external_motion_data(parameters: SystemParameters, name: str) -> ExternalMot
                 one.get("ext_motion_level", "1") != "0",
                 _number(one.get("ext_motion_kp"), DEFAULT_DATA.gain),
                 _number(one.get("ext_motion_filter_bandwidth"), DEFAULT_DATA.bandwidth_hz),
+                _number(one.get("ramp_time"), DEFAULT_DATA.ramp_s),
             )
     if name.lower() == "default" or not known:
         return DEFAULT_DATA
@@ -80,6 +86,7 @@ def started(
     limits: Limits,
     waypoint: Waypoint,
     now_s: float,
+    sent: ProgramData,
 ) -> tuple[GuidedExecution, FeedbackSchedule, GuidedSection]:
     """Build a guidance that begins at the next cycle.
 
@@ -90,31 +97,43 @@ def started(
         limits: Of its axes.
         waypoint: Position of the robot.
         now_s: Time [s].
+        sent: Data of the program for the sensor.
 
     Raises:
         NotAllowed: If frames are invalid or not simulated.
     """
     robot, activation, terms = resolver.robot, request.activation, request.terms
-    count = len(robot.joints)
+    data, count = request.data, len(robot.joints)
     speed, acceleration = limits.max_speed[:count], limits.max_acceleration[:count]
-    axes = GuidedAxes(robot.lower, robot.upper, speed, acceleration)
+    furthest = math.radians(activation.max_deviation)
+    axes = GuidedAxes(
+        np.maximum(robot.lower, waypoint.joints - furthest),
+        np.minimum(robot.upper, waypoint.joints + furthest),
+        speed,
+        acceleration,
+    )
     frames = frames_of(resolver, state, activation, waypoint)
     run = GuidedExecution(
         JointMotion(axes, waypoint.joints.copy(), np.zeros(count)),
         _aim(request, resolver, state, waypoint),
-        Tuning(request.data.gain * terms.gain, math.radians(activation.max_speed)),
+        Tuning(
+            data.gain * terms.gain,
+            math.radians(activation.max_speed),
+            data.bandwidth_hz if data.filters else 0.0,
+        ),
         EndConditions(
             terms.condition_s,
-            terms.ramp_in_s,
+            data.ramp_s if terms.ramp_in_s is None else terms.ramp_in_s,
             request.setup.silence_s,
             terms.moves_back,
-            terms.ramp_out_s,
+            data.ramp_s if terms.ramp_out_s is None else terms.ramp_out_s,
         ),
     )
     told = FeedbackSchedule(
         math.ceil(now_s / CYCLE_S - _ROUNDING) * CYCLE_S,
         max(1, round(activation.sample_s / CYCLE_S)),
         GuidedFeedback(frames, used_axes(resolver.ext_joint(waypoint.external))),
+        sent,
     )
     stretch = GuidedSection(
         told.first_s,
@@ -136,20 +155,17 @@ def _aim(
     request: GuidanceRequest, resolver: Resolver, state: MotionState, waypoint: Waypoint
 ) -> GuidanceGoal:
     activation, terms = request.activation, request.terms
-    filters = [activation.filter_hz]
-    if request.data.filters:
-        filters.append(request.data.bandwidth_hz)
-    count = len(waypoint.joints) if activation.frames is None else len(activation.bands)
+    filter_hz = activation.filter_hz
+    filters = (request.data.bandwidth_hz if filter_hz is None else filter_hz,)
+    is_pose = activation.frames is not None
+    count = len(activation.bands) if is_pose else len(waypoint.joints)
     chosen = np.array(terms.chosen[:count])
-    bands = np.array([band or DEFAULT_BAND for band in activation.bands[:count]])
-    if not chosen.any():
-        chosen = np.ones(len(chosen), dtype=np.bool_)
-    if activation.frames is None:
+    defaults = [DEFAULT_LENGTH if is_pose and k < _LENGTHS else DEFAULT_ANGLE for k in range(count)]
+    bands = np.array([band or by for band, by in zip(activation.bands, defaults, strict=False)])
+    if not is_pose:
         lowest, highest = np.radians(bands).T
-        return JointGoal(Band(chosen, lowest, highest), tuple(filters), waypoint.joints)
-    return pose_aim(
-        resolver, waypoint, state, activation, terms.offset, bands, chosen, tuple(filters)
-    )
+        return JointGoal(Band(chosen, lowest, highest), filters, waypoint.joints)
+    return pose_aim(resolver, waypoint, state, activation, terms.offset, bands, chosen, filters)
 
 
 def _number(text: str | None, default: float) -> float:

@@ -31,6 +31,8 @@ class Stepper:
     """Called before the statement that ends a step; it may let time pass and begin a new step."""
     _reach: StepGranularity = StepGranularity.ANY
     _is_enough: Callable[[], bool] | None = None
+    _is_break: Callable[[Place], bool] | None = None
+    """Whether a program that is not stepped halts before a statement; None for a step."""
     _from: StepPosition | None = None
     """Position at the start of the step; None before the first statement."""
     _positions: FramePositions = field(default_factory=FramePositions)
@@ -42,7 +44,15 @@ class Stepper:
             reach: Granularity of the step.
             is_enough: Called before each statement to end the step; None applies `reach`.
         """
-        self._reach, self._is_enough = reach, is_enough
+        self._reach, self._is_enough, self._is_break = reach, is_enough, None
+        self._trace()
+
+    def run_to(self, is_break: Callable[[Place], bool]) -> None:
+        """Run on until a statement for which this holds; the current one does not count."""
+        self._is_break = is_break
+        self._trace()
+
+    def _trace(self) -> None:
         frames = list(rapid_frames(sys._getframe()))
         self._from = self._positions.of(frames[0]) if frames else None
         for frame in frames:
@@ -66,18 +76,24 @@ class Stepper:
         def passed(frame: FrameType, event: str, argument: object) -> Any:
             del argument
             place = starts.start(frame) if event == "line" else None
-            if place is not None:
-                now = self._positions.of(frame)
-                if self._from is None:
-                    self._from = now
-                elif self._ends_before(now, self._from):
-                    self.end()
-                    # Halting lets time pass, in which other tasks' programs run: without this,
-                    # Python would treat them as part of the tracing.
-                    sys.call_tracing(self.halt, (place,))
+            if place is not None and self._halts_before(place, frame):
+                self.end()
+                # Halting lets time pass, in which other tasks' programs run: without this,
+                # Python would treat them as part of the tracing.
+                sys.call_tracing(self.halt, (place,))
             return passed
 
         return passed
+
+    def _halts_before(self, place: Place, frame: FrameType) -> bool:
+        """Whether the program halts before a statement."""
+        if self._is_break is not None:
+            return self._is_break(place)
+        now = self._positions.of(frame)
+        if self._from is None:
+            self._from = now
+            return False
+        return self._ends_before(now, self._from)
 
     def _ends_before(self, now: StepPosition, start: StepPosition) -> bool:
         """Whether the step ends before the current statement."""

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 from enum import Enum, auto
+from typing import Final
 
 import numpy as np
 
@@ -21,6 +22,18 @@ class Guided(Enum):
     RUNNING = auto()
     STOPPED = auto()
     FAILED = auto()
+
+
+@value_class(frozen=True, slots=True)
+class ProgramData:
+    """Data of the program for the sensor."""
+
+    digital: bool | None = None
+    """Value of an output; None without one."""
+    numbers: tuple[float, ...] = ()
+
+
+NO_DATA: Final = ProgramData()
 
 
 @value_class(frozen=True, slots=True)
@@ -43,6 +56,7 @@ class Feedback:
     executes: bool = True
     """Whether the program is running."""
     motors_on: bool = True
+    sent: ProgramData = NO_DATA
 
 
 @value_class(frozen=True, slots=True, eq=False)

@@ -72,6 +72,8 @@ class GuidedExecution:
     is_over: bool = False
     """Whether the robot is at rest and will not move any more."""
     start: Array = field(init=False)
+    _delayed: tuple[Array, Array] | None = None
+    """Filtered goal and its speed of the last cycle, which the drives follow in this one."""
     _cycles: int = 0
     _silent: int = 0
     """Cycles since the last message of the sensor."""
@@ -89,9 +91,7 @@ class GuidedExecution:
     def step(self, answer: SensorAnswer | None) -> None:
         """Advance by a cycle with the sensor's answer since the last cycle."""
         self._cycles += 1
-        if self.ended is None:
-            self._guide(answer)
-        if self.ended is not None:
+        if self.ended is not None or not self._is_guided(answer):
             self._bring_to_rest()
 
     def stop(self, *, moves_back: bool, ramp_out_s: float) -> None:
@@ -103,26 +103,30 @@ class GuidedExecution:
         """Stop at the current position instead of returning."""
         self._moves_back, self._back = False, None
 
-    def _guide(self, answer: SensorAnswer | None) -> None:
+    def _is_guided(self, answer: SensorAnswer | None) -> bool:
+        """Follow the sensor's goal for a cycle; return False if there is none to follow."""
         if answer is not None and self.aim.accept(answer):
             self.has_answer, self._silent = True, 0
         else:
             self._silent += 1
             if self._silent * CYCLE_S > self.terms.silence_s:
                 self._end(EndReason.SILENT, moves_back=False)
-                return
+                return False
         goal = self.aim.goal(self.motion.joints)
         if goal is None or not all(np.isfinite(part).all() for part in goal):
             self._end(EndReason.OUT_OF_REACH, moves_back=False)
-            return
+            return False
         ramp_s = self.terms.ramp_in_s
         share = 1.0 if ramp_s <= 0.0 else min(1.0, self._cycles * CYCLE_S / ramp_s)
-        self.motion.towards(goal[0], self.tuning, goal[1], share)
+        delayed, self._delayed = self._delayed, goal
+        if delayed is not None:
+            self.motion.towards(delayed[0], self.tuning, delayed[1], share)
         is_near = self.has_answer and self.aim.is_met(self.motion.joints)
         self._near = self._near + 1 if is_near else 0
         self.is_met = is_near and self._near * CYCLE_S >= self.terms.condition_s
         if self.is_met and self.terms.ends_by_itself:
             self._end(EndReason.CONVERGED, moves_back=self.terms.moves_back)
+        return True
 
     def _end(self, reason: EndReason, *, moves_back: bool, ramp_out_s: float | None = None) -> None:
         self.ended, self._moves_back = reason, moves_back

@@ -10,7 +10,7 @@ from typing import Annotated, TypeAlias
 import numpy as np
 
 from rapidsim.frames.transform import Array, Transform, matrix_from_quaternion
-from rapidsim.json_records.declarations import ValueForm
+from rapidsim.json_records.declarations import OrAbsent, ValueForm
 from rapidsim.values import value_class
 
 MM = 1e-3
@@ -36,6 +36,8 @@ class SensorAnswer:
     """Requested offset of the TCP from its path: x, y, z of path coordinates [mm]."""
     values: _Part = ()
     r"""For \DataFromSensor."""
+    digital: OrAbsent[bool] = None
+    r"""For \DIFromSensor."""
 
 
 def radians(degrees: tuple[float, ...], count: int) -> Array | None:

@@ -22,7 +22,7 @@ from rapidsim.shipped import filled, shipped
 from rapidsim.simulation.results.move_kinds import DRAWN_KINDS
 from rapidsim.simulation.results.simulation import Simulation
 
-_SCRIPTS = ("data.js", "plot.js", "lanes.js", "path.js", "arm.js", "page.js")
+_SCRIPTS = ("data.js", "plot.js", "lanes.js", "path.js", "links.js", "arm.js", "page.js")
 
 
 def write_report(simulation: Simulation, findings: Sequence[Diagnostic], path: str | Path) -> Path:

@@ -14,17 +14,29 @@ from typing import Final, TypeAlias
 
 from aiohttp import web
 
-from rapidsim.server.http.request_reading import read_form
+from rapidsim.report import html
+from rapidsim.server.http.request_reading import MOST_BYTES, read_body, read_form
 from rapidsim.server.messages import ErrorAnswer, Inquiry, ReadState, Reply, Request
 
 _FOLDER: Final = Path(__file__).with_name("shipped")
 _FILES: Final = MappingProxyType(
     {
         "": ("page.html", "text/html"),
+        "links.js": ("links.js", "text/javascript"),
+        "arm.js": ("arm.js", "text/javascript"),
+        "jog.js": ("jog.js", "text/javascript"),
         "page.js": ("page.js", "text/javascript"),
         "style.css": ("style.css", "text/css"),
     }
 )
+_SHARED: Final = Path(html.__file__).parent / "shipped"
+"""Folder of the scripts that reports have as well."""
+_JSON: Final = "application/json"
+_VIEWS: Final = MappingProxyType(
+    dict.fromkeys(("state", "text", "arm", "joints", "jog", "task", "rule"), _JSON)
+    | {"module": "text/plain", "backup.zip": "application/zip"}
+)
+"""Kind of each part that the engine answers."""
 _HEADERS: Final = MappingProxyType(
     {
         "Content-Security-Policy": "default-src 'none'; script-src 'self'; style-src 'self'; "
@@ -55,16 +67,21 @@ async def serve_operator_page(
                 raise web.HTTPFound("/ui")
             file, kind = _FILES[name]
             return _response(_read(file), kind)
-        case "GET", "state":
-            return _replied(await move_request(ReadState()))
-        case "GET", "text":
-            task, module = (request.query.get(name, "") for name in ("task", "module"))
-            return _replied(await move_request(ReadState(task, module)))
+        case "GET", view if view in _VIEWS:
+            return _replied(await move_request(ReadState(view, dict(request.query))), _VIEWS[view])
         case "POST", "do":
             form = await read_form(request)
             path, action = form.pop("path", ""), form.pop("action", "")
             return _replied(
                 await move_request(Request("POST", path, {"action": action}, form, session))
+            )
+        case "POST", "upload":
+            # The address of the file is that of HOME, whatever folders its name claims.
+            name = request.query.get("name", "").replace("\\", "/").rpartition("/")[2]
+            content = await read_body(request, MOST_BYTES)
+            path = f"/fileservice/$HOME/{name}"
+            return _replied(
+                await move_request(Request("PUT", path, session=session, content=content))
             )
         case _:
             return web.Response(status=404, text="there is no such page\n")
@@ -72,13 +89,14 @@ async def serve_operator_page(
 
 @cache
 def _read(name: str) -> bytes:
-    return (_FOLDER / name).read_bytes()
+    file = _FOLDER / name
+    return (file if file.is_file() else _SHARED / name).read_bytes()
 
 
-def _replied(reply: Reply) -> web.Response:
+def _replied(reply: Reply, kind: str = _JSON) -> web.Response:
     if isinstance(reply, ErrorAnswer):
         return web.Response(status=reply.status, text=reply.message, headers=_HEADERS)
-    return _response(reply.content, "application/json")
+    return _response(reply.content, kind)
 
 
 def _response(body: bytes | None, kind: str) -> web.Response:

@@ -56,7 +56,7 @@ async def read_form(request: web.Request) -> dict[str, str]:
         web.HTTPException: If it cannot be read.
     """
     with decoding():
-        body = await _read_body(request, MOST_FORM_BYTES)
+        body = await read_body(request, MOST_FORM_BYTES)
         if request.content_type not in _FORMS and "Content-Type" in request.headers:
             return {}
         charset = request.charset or "utf-8"
@@ -84,14 +84,19 @@ async def read_request(
     content, form = b"", dict[str, str]()
     with decoding():
         if is_file:
-            content = await _read_body(request, MOST_BYTES)
+            content = await read_body(request, MOST_BYTES)
         else:
             form = await read_form(request)
         query = dict(request.query)
     return Request(request.method, f"/{path}", query, form, session, generation, content)
 
 
-async def _read_body(request: web.Request, most: int) -> bytes:
+async def read_body(request: web.Request, most: int) -> bytes:
+    """Return the body of a request, of so many bytes at most.
+
+    Raises:
+        HTTPRequestEntityTooLarge: If it is longer, or says so.
+    """
     parts, size = list[bytes](), request.content_length or 0
     if size <= most:
         size = 0

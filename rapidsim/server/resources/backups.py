@@ -32,7 +32,7 @@ def create(context: RequestContext, request: Request) -> Answer:
     address = required_value(request.form, "backup").strip("/").removeprefix("fileservice/")
     if not context.files.is_below_a_disk(address):
         raise refused(BAD_PARAMETER, f"`{address}` cannot be the place of a backup")
-    files: dict[str, bytes | Path] = dict(_files(context, request))
+    files: dict[str, bytes | Path] = dict(backup_files(context, request.generation))
     files |= {f"HOME/{name}": file for name, file in context.files.home_files()}
     context.files.write_folder(address, files)
     context.operations.append(_OPERATION)
@@ -76,11 +76,11 @@ def operation(context: RequestContext, request: Request, number: str) -> Answer:
     raise refused(NOT_FOUND, f"there is no operation {number}")
 
 
-def _files(context: RequestContext, request: Request) -> Iterator[tuple[str, bytes]]:
+def backup_files(context: RequestContext, generation: int) -> Iterator[tuple[str, bytes]]:
     """Yield path and content of each file of a backup, but for those of HOME."""
     parameters, live = context.live.cell.parameters, context.live
-    suffix = "" if request.generation == 1 else "x"
-    version = context.versions[request.generation]
+    suffix = "" if generation == 1 else "x"
+    version = context.versions[generation]
     options = parameters.instances("SYS", _OPTIONS) or ()
     lines = [">>PRODUCTS_ID:", f"RobotWare Version: {version.name}"]
     lines += [f"  {one.get('desc') or one.get('name', '')}" for one in options]

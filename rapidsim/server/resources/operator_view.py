@@ -7,8 +7,10 @@ from __future__ import annotations
 
 import json
 import math
+from collections.abc import Callable, Mapping
 from itertools import islice
-from typing import Final
+from types import MappingProxyType
+from typing import Final, TypeAlias
 
 from rapidsim.controller.cell.description import SignalDeclaration
 from rapidsim.controller.cell.pendant import Question
@@ -16,13 +18,22 @@ from rapidsim.interpreter.linking.saved_text import text_of
 from rapidsim.language.data import UNUSED_AXIS
 from rapidsim.language.moves import Place
 from rapidsim.motion.robot.external_axes import LETTERS
-from rapidsim.server.messages import Answer, ReadState
+from rapidsim.server.derived_parameters import robots
+from rapidsim.server.messages import Answer, Fields, ReadState
 from rapidsim.server.resources.codes import NOT_FOUND, as_answered, refused
 from rapidsim.server.resources.context import RequestContext
 from rapidsim.server.resources.io_addresses import SignalAddresses
+from rapidsim.server.resources.jogging import jog_panel
+from rapidsim.server.resources.operator_panels import (
+    arm_panel,
+    backup_panel,
+    joints_panel,
+    rule_panel,
+    task_panel,
+)
 from rapidsim.simulation.live import program_memory
 from rapidsim.simulation.live import signals as live_signals
-from rapidsim.simulation.live.event_log import COMMON
+from rapidsim.simulation.live.event_log import COMMON, LogEntry
 from rapidsim.simulation.live.live_task import LiveTask
 from rapidsim.simulation.live.position import active_frames, position_snapshot
 from rapidsim.simulation.live.signals import limits
@@ -33,24 +44,28 @@ _ENTRIES: Final = 50
 
 
 def looked(context: RequestContext, read_state: ReadState) -> Answer:
-    """Return the state of the controller, or the text of a module.
+    """Return a part of the operator page.
 
     Raises:
-        RefusedRequest: If there is no such module.
+        RefusedRequest: If there is no such part, or nothing of the names in the query.
     """
-    if not read_state.module:
-        shown = _state(context)
-    else:
-        try:
-            shown = _text(context.live.task(read_state.task), read_state.module)
-        except RequestRefused as refusal:
-            raise as_answered(refusal, 1) from None
+    view = VIEWS.get(read_state.view)
+    if view is None:
+        raise refused(NOT_FOUND, f"there is no view {read_state.view}")
+    try:
+        shown = view(context, read_state.query)
+    except RequestRefused as refusal:
+        raise as_answered(refusal, 1) from None
+    if isinstance(shown, Answer):
+        return shown
     return Answer(content=json.dumps(shown, ensure_ascii=False, allow_nan=False).encode())
 
 
-def _state(context: RequestContext) -> dict[str, object]:
+def _state(context: RequestContext, query: Fields) -> dict[str, object]:
+    del query
     live = context.live
     places = SignalAddresses(context)
+    units = {setup.name: name for name, setup in robots(live.setups)}
     return {
         "time": round(live.now_s, 3),
         "clock": f"{live.date:%Y-%m-%d %H:%M:%S}",
@@ -59,7 +74,9 @@ def _state(context: RequestContext) -> dict[str, object]:
         "mode": live.mode.value,
         "speed": live.speed_ratio,
         "cycle": live.cycle.value,
-        "tasks": [_task(live.task(one.name), one) for one in live.task_states()],
+        "tasks": [
+            _task(live.task(one.name), one, units.get(one.name, "")) for one in live.task_states()
+        ],
         "signals": [_signal(context, one, places) for one in live_signals.declared(live)],
         "screen": list(live.screen),
         "questions": [_question(one) for one in live.pendant.questions.values()],
@@ -71,13 +88,16 @@ def _state(context: RequestContext) -> dict[str, object]:
                 "clock": f"{live.date_at(one.time_s):%H:%M:%S}",
                 "title": one.title,
                 "text": one.text,
+                "rule": one.rule,
+                "remedy": one.remedy,
+                "place": _place_of_entry(context, one),
             }
             for one in islice(live.log.entries(COMMON), _ENTRIES)
         ],
     }
 
 
-def _task(task: LiveTask, state: TaskState) -> dict[str, object]:
+def _task(task: LiveTask, state: TaskState, unit: str) -> dict[str, object]:
     shown: dict[str, object] = {
         "name": task.name,
         "kind": state.kind,
@@ -86,12 +106,14 @@ def _task(task: LiveTask, state: TaskState) -> dict[str, object]:
         "routine": task.place.routine if task.has_pointer else "",
         "pointer": _place(task, task.place) if task.has_pointer else None,
         "modules": [one.name.text for one in program_memory.modules(task)],
+        "breakpoints": sorted(map(list, task.breakpoints)),
     }
     if state.moves_robot:
         now = position_snapshot(task)
         tool, wobj = active_frames(task)
         external = zip(LETTERS, now.joints.extax, strict=True)
         shown |= {
+            "mechunit": unit,
             "motion": None if now.move is None else _place(task, now.move),
             "joints": [_number(one) for one in now.joints.robax if one != UNUSED_AXIS],
             "measures": [joint.measure for joint in task.unit.member.robot.joints],
@@ -130,21 +152,52 @@ def _question(question: Question) -> dict[str, object]:
     }
 
 
-def _text(task: LiveTask, module: str) -> dict[str, object]:
+def _text(context: RequestContext, query: Fields) -> dict[str, object]:
+    task, module = context.live.task(query.get("task", "")), query.get("module", "")
     for one in program_memory.modules(task):
         if one.name.key == module.lower():
             return {"module": one.name.text, "text": text_of(one)}
     raise refused(NOT_FOUND, f"{task.name} has no module {module}")
 
 
+def _module(context: RequestContext, query: Fields) -> Answer:
+    """Return the text of a module, to be kept as a file."""
+    return Answer(content=str(_text(context, query)["text"]).encode())
+
+
 def _place(task: LiveTask, place: Place) -> list[object] | None:
     """Return module and line of a place in the program of a task; the first line of a text is 1."""
-    for one in program_memory.modules(task):
-        if one.source.file == place.span.file and one.start <= place.span.start <= one.end:
+    found = task.module_line(place)
+    return None if found is None else [*found]
+
+
+def _place_of_entry(context: RequestContext, entry: LogEntry) -> list[object] | None:
+    """Return task, module and line of the error that an entry is about."""
+    for task in context.live.tasks.values() if entry.line else ():
+        for one in program_memory.modules(task):
             first = one.source.text.count("\n", 0, one.start)
-            return [one.name.text, place.span.line - first]
+            last = one.source.text.count("\n", 0, one.end) + 1
+            if one.source.file == entry.file and first < entry.line <= last:
+                return [task.name, one.name.text, entry.line - first]
     return None
 
 
 def _number(value: float, digits: int = 2) -> float:
     return round(value, digits) + 0.0
+
+
+View: TypeAlias = Callable[[RequestContext, Fields], dict[str, object] | Answer]
+VIEWS: Final[Mapping[str, View]] = MappingProxyType(
+    {
+        "state": _state,
+        "text": _text,
+        "module": _module,
+        "arm": arm_panel,
+        "joints": joints_panel,
+        "jog": jog_panel,
+        "task": task_panel,
+        "rule": rule_panel,
+        "backup.zip": backup_panel,
+    }
+)
+"""Parts of the page by name; a query has further names."""

@@ -5,7 +5,7 @@ from __future__ import annotations
 from rapidsim.interpreter.linking.saved_text import text_of
 from rapidsim.server.messages import DONE, Answer, Item, Request
 from rapidsim.server.resources.codes import BAD_PARAMETER, LATER_NO_MODULE, NOT_FOUND, refused
-from rapidsim.server.resources.context import RequestContext, chosen, required_value
+from rapidsim.server.resources.context import RequestContext, chosen, count, required_value
 from rapidsim.server.resources.disks import path_of_programs
 from rapidsim.simulation.live import program_memory
 from rapidsim.simulation.live.live_task import LiveTask
@@ -191,6 +191,30 @@ def put_pointer(context: RequestContext, request: Request, task: str) -> Answer:
     routine = required_value(request.form, "routine")
     context.live.put_pointer(task, request.form.get("module", ""), routine)
     return DONE
+
+
+def set_breakpoint(context: RequestContext, request: Request, task: str) -> Answer:
+    """Let the program halt before the statement on a line of a module, from the next start on.
+
+    Raises:
+        RefusedRequest: If the task has no such module.
+    """
+    found = context.live.task(task)
+    found.breakpoints.add(_line(found, request))
+    return DONE
+
+
+def clear_breakpoint(context: RequestContext, request: Request, task: str) -> Answer:
+    """Remove the breakpoint on a line of a module, if there is one."""
+    found = context.live.task(task)
+    found.breakpoints.discard(_line(found, request))
+    return DONE
+
+
+def _line(task: LiveTask, request: Request) -> tuple[str, int]:
+    """Return the module and the line that a form names."""
+    module = _module(task, required_value(request.form, "module"))
+    return module.name.key, count(request.form, "row", 1)
 
 
 def unload_module(context: RequestContext, request: Request, task: str) -> Answer:

@@ -62,6 +62,13 @@ class LogEntry:
     title: str
     text: str = ""
     arguments: tuple[str, ...] = ()
+    rule: str = ""
+    """Code of the rule of a finding."""
+    remedy: str = ""
+    """Advice on a finding."""
+    file: str = ""
+    line: int = 0
+    """Place of a finding in a file; 0 without one."""
 
 
 class EventLog:
@@ -106,7 +113,22 @@ class EventLog:
         code = int(given[0]) if given else _WITHOUT_NUMBER
         title = rule[:1].upper() + rule[1:]
         domain, number = divmod(code, 10_000)
-        self._note(domain, int(ERROR), code, time_s, title, diagnostic.message + where, ())
+        text = diagnostic.message + where
+        self._put(
+            LogEntry(
+                self._last + 1,
+                domain,
+                int(ERROR),
+                code,
+                time_s,
+                title,
+                text,
+                rule=diagnostic.violation.code,
+                remedy=diagnostic.help or "",
+                file=diagnostic.file or "",
+                line=diagnostic.line or 0,
+            )
+        )
         texts = (task, diagnostic.message[:MAX_STRING])
         return LoggedError(float(domain), float(number), ERROR, title, texts)
 
@@ -127,8 +149,11 @@ class EventLog:
         text: str,
         arguments: tuple[str, ...],
     ) -> None:
-        self._last += 1
-        entry = LogEntry(self._last, domain, type_, code, time_s, title, text, arguments)
+        self._put(LogEntry(self._last + 1, domain, type_, code, time_s, title, text, arguments))
+
+    def _put(self, entry: LogEntry) -> None:
+        self._last = entry.number
+        domain = entry.domain
         for one in (COMMON, domain):
             self._entries.setdefault(one, deque(maxlen=MOST_ENTRIES)).append(entry)
         self._notify(entry)

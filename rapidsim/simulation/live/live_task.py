@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from contextlib import suppress
 from dataclasses import dataclass, field, replace
 from typing import Protocol
@@ -83,6 +84,9 @@ class LiveTask:
     """Whether the task takes part when programs are started."""
     has_pointer: bool = True
     """Whether the program pointer is at a statement from which the program can continue."""
+    breakpoints: set[tuple[str, int]] = field(default_factory=set)
+    """Module, in lower case, and line in it of statements before which the program halts; from the
+    next start on."""
     _has_started: bool = False
     _execution: ExecutionMode = ExecutionMode.CONTINUE
     _stepper: Stepper = field(init=False)
@@ -256,6 +260,8 @@ class LiveTask:
         """Continue, for one step or until stopped, where the program was halted."""
         if self._execution is ExecutionMode.CONTINUE:
             self._stepper.end()
+            if self.breakpoints and self.scheduler.trace is None:
+                self._stepper.run_to(self._is_break)
             return
         given, moves = len(self.unit.moves), self.unit.moves
         to_move = self._execution is ExecutionMode.STEP_MOTION and self.setup.robot is not None
@@ -263,8 +269,20 @@ class LiveTask:
             _REACH[self._execution], (lambda: len(moves) > given) if to_move else None
         )
 
+    def module_line(self, place: Place) -> tuple[str, int] | None:
+        """Return module and line in its text, from 1, of a place; None if no module has it."""
+        for one in self.program.modules:
+            if one.source.file == place.span.file and one.start <= place.span.start <= one.end:
+                first = one.source.text.count("\n", 0, one.start)
+                return one.name.text, place.span.line - first
+        return None
+
+    def _is_break(self, place: Place) -> bool:
+        found = self.module_line(place)
+        return found is not None and (found[0].lower(), found[1]) in self.breakpoints
+
     def _halt(self, before: Place) -> None:
-        """End a step: the robot finishes its moves and the program is halted."""
+        """End a step, or halt at a breakpoint: the robot finishes its moves, the program halts."""
         clock, left = self.run.controller.clock, self.run.controller.clock.ticks_left
         clock.resolve_time()
         clock.drive_to_stop()
@@ -272,6 +290,12 @@ class LiveTask:
         self.supervisor.step_ended(self)
         self.run.controller.execution.await_restart()
         clock.leave_ticks(left)
+
+    def procedures(self) -> Iterator[str]:
+        """Names of the procedures to which the pointer may be set, in the order of declaration."""
+        for symbol in self.program.routines.values():
+            if self._procedure(symbol.name) is not None:
+                yield symbol.name
 
     def _procedure(self, name: str) -> RoutineSymbol | None:
         """Procedure of a name, in any case, that needs no arguments; None if there is none."""

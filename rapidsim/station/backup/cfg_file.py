@@ -68,6 +68,8 @@ def _instance(line: str) -> Instance:
 def text_in(root: Path, *names: str) -> str:
     """Return the text of a file below a folder, its name in any case; empty if it does not exist.
 
+    An add-in puts its name before that of a configuration file: `StateMachine_eio.cfg`.
+
     Raises:
         InputError: If the path leads out of the folder, or is not a regular file.
     """
@@ -77,7 +79,9 @@ def text_in(root: Path, *names: str) -> str:
             entries = sorted(root.iterdir())
         except OSError:
             return ""
-        root = next((one for one in entries if one.name.lower() == name.lower()), root / name)
+        known = {one.name.lower(): one for one in reversed(entries)}
+        with_add_in = (one for one in entries if one.name.lower().endswith(f"_{name.lower()}"))
+        root = known.get(name.lower()) or next(with_add_in, root / name)
     if not root.exists():
         return ""
     require_inside([root], [folder])

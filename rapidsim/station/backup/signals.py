@@ -56,7 +56,7 @@ def backup_io(types: Configuration) -> tuple[CellIo, tuple[str, ...]]:
 def _limit_speed(instances: Iterable[Instance]) -> tuple[str, ...]:
     """Return a remark for inputs that slow a robot down, which no input of a run does."""
     names = [
-        f"`{instance.get('signal', '')}`"
+        f"`{instance.get('signal') or instance.get('name', '')}`"
         for instance in instances
         if instance.get("action", "").lower() == "limitspeed"
     ]
@@ -73,7 +73,9 @@ def _system_outputs(
     shown: dict[str, _Shown] = {}
     others: dict[str, list[str]] = {}
     for instance in instances:
-        name, word = instance.get("signal", ""), instance.get("status", "")
+        # RobotWare 7 names the signal by the instance itself.
+        name = instance.get("signal") or instance.get("name", "")
+        word = instance.get("status", "")
         status, unit = known.get(word.lower()), _unit(instance)
         if status is not None and (status not in _OF_UNITS or _ROBOT.fullmatch(unit)):
             shown.setdefault(name.lower(), _Shown(status, instance.get("arg2"), unit))

@@ -1,4 +1,4 @@
-! RAPID Instructions, EGMActJoint: values for the sensor and from it are options of all four; a run says it has none.
+! RAPID Instructions, EGMActJoint: values for the sensor and from it are options of all four.
 MODULE egm_exchanges
   CONST egm_minmax near:=[-1,1];
   CONST pose here:=[[0,0,0],[1,0,0,0]];
@@ -14,15 +14,15 @@ MODULE egm_exchanges
     AliasIO "diWanted",wanted;
     EGMGetId joints;
     EGMSetupUC ROB_1,joints,"default","UCdevice:"\Joint;
-    EGMActJoint joints\DataToSensor:=sent,\DataFromSensor:=got\J1:=near;  ! warning: R104
-    EGMActJoint joints\DOToSensor:=at_work\J1:=near;  ! warning: R104
-    EGMActJoint joints\DIFromSensor:=wanted\J1:=near;  ! warning: R104
-    EGMRunJoint joints,EGM_STOP_HOLD\NoWaitCond\DOToSensor:=at_work\J1;  ! warning: R104
+    EGMActJoint joints\DataToSensor:=sent,\DataFromSensor:=got\J1:=near;
+    EGMActJoint joints\DOToSensor:=at_work\J1:=near;
+    EGMActJoint joints\DIFromSensor:=wanted\J1:=near;
+    EGMRunJoint joints,EGM_STOP_HOLD\NoWaitCond\DOToSensor:=at_work\J1;
     EGMReset joints;
     EGMGetId poses;
     EGMSetupUC ROB_1,poses,"default","UCdevice:"\Pose;
-    EGMActPose poses\Tool:=tool0\DataToSensor:=sent,here,EGM_FRAME_BASE,here,EGM_FRAME_BASE\x:=near;  ! warning: R104
-    EGMRunPose poses,EGM_STOP_HOLD\NoWaitCond\DataFromSensor:=got\x;  ! warning: R104
+    EGMActPose poses\Tool:=tool0\DataToSensor:=sent,here,EGM_FRAME_BASE,here,EGM_FRAME_BASE\x:=near;
+    EGMRunPose poses,EGM_STOP_HOLD\NoWaitCond\DataFromSensor:=got\x;
     EGMReset poses;
     TPWrite "ended";                        ! -> ended
   ENDPROC

@@ -6,14 +6,6 @@ const farEye = { scale: 1, x: 0, y: 0, whole: true };
 const nearEye = { scale: 1, x: 0, y: 0, whole: false };
 const TURBO = ["#3e26a8", "#404ee6", "#2c7bf5", "#12a3dc", "#18beb4", "#50cd6e", "#b4cd32", "#facd32", "#ff8c28", "#ff4646"];
 
-function seen(eye, point, width, height) {
-  const ct = Math.cos(look.turn), st = Math.sin(look.turn), cl = Math.cos(look.lift), sl = Math.sin(look.lift);
-  const right = -st * point[0] + ct * point[1];
-  const depth = ct * point[0] + st * point[1];
-  const up = cl * point[2] - sl * depth;
-  return [width / 2 + (right - eye.x) * eye.scale, height / 2 - (up - eye.y) * eye.scale];
-}
-
 function tcpAt(robot, i) {
   return [robot.tcp[0][i], robot.tcp[1][i], robot.tcp[2][i]];
 }

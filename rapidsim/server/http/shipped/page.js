@@ -1,10 +1,12 @@
 "use strict";
 // Shows the state of a controller twice a second, and asks for what its buttons say.
 const $ = (id) => document.getElementById(id);
-const PERIOD_MS = 500;
+const PERIOD_MS = 500, PICTURE_MS = 80;
 let state = null;
 let shown = { task: "", module: "" };   // Whose text is on the page.
 let editing = null;                      // The name of the signal whose number is being typed.
+let drawn = { unit: "", picture: null, jog: null };   // Whose arm is drawn, and its panel.
+let dated = "";                          // The task and module whose data are on the page.
 
 function element(name, text, classes) {
   const made = document.createElement(name);
@@ -34,7 +36,7 @@ async function act(path, action, form = {}) {
     trouble(error.message);
   }
   if (action === "resetpp") shown.module = "";
-  await look(true);
+  await refresh(true);
 }
 
 function options(select, names, chosen) {
@@ -55,7 +57,12 @@ function showHead() {
   );
   $("start").disabled = state.executes || !motors;
   $("stop").disabled = !state.executes;
-  $("main").disabled = state.executes;
+  for (const id of ["step", "over"]) $(id).disabled = $("start").disabled;
+  for (const id of ["main", "go", "upload", "unload"]) $(id).disabled = state.executes;
+  $("quick").disabled = !motors;
+  if (document.activeElement !== $("mode")) $("mode").value = state.mode;
+  if (document.activeElement !== $("speed")) { $("speed").value = state.speed; $("percent").textContent = `${state.speed} %`; }
+  $("speed").disabled = state.mode !== "AUTO";
   $("motors").textContent = motors ? "Motors off" : "Motors on";
 }
 
@@ -72,6 +79,8 @@ async function showProgram() {
     $("text").replaceChildren(...found.text.replace(/\n$/, "").split("\n").map((line) => element("li", line)));
   }
   const lines = $("text").children;
+  const broken = new Set(task.breakpoints.filter((one) => one[0] === module.toLowerCase()).map((one) => one[1]));
+  [...lines].forEach((line, k) => line.classList.toggle("break", broken.has(k + 1)));
   for (const kind of ["pointer", "motion"]) {
     const place = task[kind];
     const line = place && place[0] === module ? lines[place[1] - 1] : null;
@@ -86,9 +95,30 @@ async function showProgram() {
   }
 }
 
-function showRobot() {
-  const task = shownTask().joints ? shownTask() : state.tasks.find((one) => one.joints);
+function robotTask() {
+  return shownTask().joints ? shownTask() : state.tasks.find((one) => one.joints);
+}
+
+async function drawRobot(task) {
+  if (drawn.unit !== task.mechunit) {
+    drawn = { unit: task.mechunit, picture: null, jog: null };
+    const { arm } = await ask(`arm?${new URLSearchParams({ mechunit: task.mechunit })}`);
+    $("arm").hidden = !arm;
+    if (arm) drawn.picture = armPicture($("arm"), arm);
+    drawn.jog = jogPanel($("jog"), {
+      read: (chosen) => ask(`jog?${new URLSearchParams({ mechunit: task.mechunit, ...chosen })}`),
+      move: (step) => act("/rw/motionsystem", "jog", { mechunit: task.mechunit, ...step }),
+      units: task.measures.map((one) => (one === "mm" ? " mm" : "°")),
+    });
+  }
+  if (drawn.picture) drawn.picture.show(task.joints);
+  if ($("jogging").open) await drawn.jog.refresh();
+}
+
+async function showRobot() {
+  const task = robotTask();
   if (!task) { $("robot").hidden = true; return; }
+  await drawRobot(task);
   $("frames").textContent = `${task.tool} in ${task.wobj}`;
   const axes = [...task.joints.map((one, k) => [`J${k + 1} ${task.measures[k] === "mm" ? "mm" : "°"}`, one]), ...Object.entries(task.external)];
   $("joints").replaceChildren(...axes.map(([name, value]) => {
@@ -189,21 +219,112 @@ function showLog() {
     const title = element("td");
     title.append(element("span", one.title, "title"));
     if (one.text) title.append(element("small", one.text));
+    if (one.remedy) title.append(element("small", `Help: ${one.remedy}`, "remedy"));
+    if (one.place) {
+      const button = element("button", `Line ${one.place[2]} of ${one.place[1]}`, "link");
+      button.onclick = () => showLine(...one.place);
+      title.append(button);
+    }
+    if (one.rule) {
+      const button = element("button", `Explain ${one.rule}`, "link");
+      button.onclick = () => explain(one.rule);
+      title.append(button);
+    }
     row.append(element("td", one.clock, "clock"), element("td", String(one.code), "code"), title);
     return row;
   }));
 }
 
-async function look(isAnswer) {
+function toggleBreak(line) {
+  const row = [...$("text").children].indexOf(line) + 1;
+  if (row) act(`/rw/rapid/tasks/${shown.task}/breakpoints`, line.classList.contains("break") ? "clear" : "set", { module: shown.module, row });
+}
+
+function markLine(line) {
+  for (const one of $("text").querySelectorAll(".found")) one.classList.remove("found");
+  if (!line) return;
+  line.classList.add("found");
+  line.scrollIntoView({ block: "nearest" });
+}
+
+function textKey(event) {
+  const now = $("text").querySelector(".found") || $("text").querySelector(".pointer") || $("text").firstElementChild;
+  const next = { ArrowDown: now && now.nextElementSibling, ArrowUp: now && now.previousElementSibling }[event.key];
+  if (next) { event.preventDefault(); markLine(next); }
+  if (event.key === "Enter" && now) toggleBreak(now);
+}
+
+async function showLine(task, module, line) {
+  $("follow").checked = false;
+  $("task").value = task;
+  options($("module"), shownTask().modules, module);
+  await refresh();
+  markLine($("text").children[line - 1]);
+  $("text").focus();
+}
+
+async function explain(code) {
+  try {
+    const rule = await ask(`rule?${new URLSearchParams({ code })}`);
+    $("rule").textContent = `${rule.code} ${rule.name}\n\n${rule.text}`;
+    $("explanation").showModal();
+  } catch (error) {
+    trouble(error.message);
+  }
+}
+
+async function showData() {
+  const task = shownTask(), module = $("module").value;
+  $("download").href = `/ui/module?${new URLSearchParams({ task: task.name, module })}`;
+  $("download").setAttribute("download", `${module}.mod`);
+  const of = `${task.name}/${module}/${task.modules.join()}`;
+  const open = $("values").open;
+  if (dated === of && (!open || $("data").contains(document.activeElement))) return;
+  dated = of;
+  const found = await ask(`task?${new URLSearchParams({ task: task.name, module })}`);
+  options($("routine"), found.routines, $("routine").value);
+  $("data").replaceChildren(...found.data.map((one) => {
+    const row = element("tr"), value = element("td", undefined, "value");
+    row.dataset.name = one.name;
+    if (one.settable) {
+      const input = element("input");
+      input.value = one.value;
+      input.setAttribute("aria-label", one.name);
+      input.onchange = () => { input.blur(); act(`/rw/rapid/symbol/data/RAPID/${task.name}/${module}/${one.name}`, "set", { value: input.value }); };
+      value.append(input);
+    } else {
+      value.textContent = one.value === null ? "" : one.value;
+    }
+    row.append(element("td", `${one.storage} ${one.type}`, "kind"), element("td", one.name), value);
+    return row;
+  }));
+}
+
+async function upload() {
+  const [file] = $("upload").files;
+  if (!file) return;
+  try {
+    const response = await fetch(`${location.origin}/ui/upload?${new URLSearchParams({ name: file.name })}`, { method: "POST", body: file, credentials: "same-origin" });
+    if (!response.ok) throw new Error((await response.text()).trim() || `answer ${response.status}`);
+    await act(`/rw/rapid/tasks/${shownTask().name}`, "loadmod", { modulepath: `$HOME/${file.name}`, replace: "true" });
+    shown.module = "";
+  } catch (error) {
+    trouble(error.message);
+  }
+  $("upload").value = "";
+}
+
+async function refresh(isAnswer) {
   try {
     state = await ask("state");
     if (!isAnswer && $("trouble").dataset.lost) { trouble(""); delete $("trouble").dataset.lost; }
     showHead();
-    showRobot();
+    await showRobot();
     showPendant();
     showSignals();
     showLog();
     await showProgram();
+    await showData();
   } catch (error) {
     $("trouble").dataset.lost = "1";
     trouble(`The controller does not answer: ${error.message}`);
@@ -212,15 +333,40 @@ async function look(isAnswer) {
 
 $("start").onclick = () => act("/rw/rapid/execution", "start", { cycle: "asis" });
 $("stop").onclick = () => act("/rw/rapid/execution", "stop", { stopmode: "stop" });
+for (const [id, execmode] of [["step", "stepin"], ["over", "stepover"]])
+  $(id).onclick = () => act("/rw/rapid/execution", "start", { cycle: "asis", execmode });
 $("main").onclick = () => act("/rw/rapid/execution", "resetpp");
+$("go").onclick = () => act(`/rw/rapid/tasks/${shownTask().name}/pcp`, "set-pp-routine", { routine: $("routine").value });
+$("unload").onclick = () => act(`/rw/rapid/tasks/${shownTask().name}`, "unloadmod", { module: $("module").value });
+$("upload").onchange = upload;
+$("mode").onchange = () => { const opmode = $("mode").value; $("mode").blur(); act("/rw/panel/opmode", "setopmode", { opmode }); };
+$("speed").oninput = () => { $("percent").textContent = `${$("speed").value} %`; };
+$("speed").onchange = () => { const ratio = $("speed").value; $("speed").blur(); act("/rw/panel/speedratio", "setspeedratio", { "speed-ratio": ratio }); };
+$("quick").onclick = () => act("/rw/panel/ctrlstate", "setctrlstate", { "ctrl-state": "motoroff" });
+$("text").onclick = (event) => { const line = event.target.closest("li"); if (line && !String(getSelection())) toggleBreak(line); };
+$("text").onkeydown = textKey;
+$("jogging").ontoggle = () => refresh();
+$("values").ontoggle = () => refresh();
 $("motors").onclick = () => act("/rw/panel/ctrlstate", "setctrlstate", { "ctrl-state": state.motors === "motoron" ? "motoroff" : "motoron" });
 $("filter").oninput = () => showSignals();
-$("task").onchange = () => look();
-$("module").onchange = () => { $("follow").checked = false; look(); };
-$("follow").onchange = () => look();
+$("task").onchange = () => refresh();
+$("module").onchange = () => { $("follow").checked = false; refresh(); };
+$("follow").onchange = () => refresh();
 
 async function live() {
-  if (!document.hidden) await look();
+  if (!document.hidden) await refresh();
   setTimeout(live, PERIOD_MS);
 }
 live();
+
+// The picture of an arm that moves is drawn more often than the rest of the page.
+async function picture() {
+  if (!document.hidden && drawn.picture && (state.executes || $("jogging").open)) {
+    try {
+      const { joints } = await ask(`joints?${new URLSearchParams({ mechunit: drawn.unit })}`);
+      drawn.picture.show(joints);
+    } catch { /* `refresh` says that the controller does not answer. */ }
+  }
+  setTimeout(picture, PICTURE_MS);
+}
+picture();
