@@ -49,6 +49,7 @@ from rapidsim.server.versions import ServedVersion, served_versions
 from rapidsim.server.wire import RecordingWire
 from rapidsim.simulation.live.controller import LiveController
 from rapidsim.simulation.live.event_log import LogEntry
+from rapidsim.simulation.live.states import Motors
 
 _LAG_S: Final = 0.5
 """Lag [s] of virtual time behind the wall clock that is reported first; then each doubling is."""
@@ -229,7 +230,8 @@ class Engine:
         self.live.on_log_entry = self._logged
         self.live.on_finding = self._print_finding
         major = self.versions[2].robotware.major
-        self._note(lambda: switched_on_line(self.live.motors, self.live.mode, major))
+        motors, mode = Motors(self.live.panel.state), self.live.panel.mode
+        self._note(lambda: switched_on_line(motors, mode, major))
         if self.journal is not None:
             self._listen()
             if isinstance(self.live.wire, RecordingWire):

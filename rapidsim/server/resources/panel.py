@@ -27,12 +27,12 @@ def state(context: RequestContext, request: Request) -> Answer:
 
 def state_item(context: RequestContext) -> Item:
     """Return the state of the controller as an item."""
-    return Item("pnl-ctrlstate", "ctrlstate", {"ctrlstate": context.live.motors.value})
+    return Item("pnl-ctrlstate", "ctrlstate", {"ctrlstate": context.live.panel.state.value})
 
 
 def set_state(context: RequestContext, request: Request) -> Answer:
     """Switch the motors on or off."""
-    context.live.set_motors(chosen(request.form, "ctrl-state", Motors))
+    context.live.panel.set_motors(chosen(request.form, "ctrl-state", Motors))
     return DONE
 
 
@@ -44,7 +44,7 @@ def mode(context: RequestContext, request: Request) -> Answer:
 
 def mode_item(context: RequestContext) -> Item:
     """Return the operating mode as an item."""
-    return Item("pnl-opmode", "opmode", {"opmode": context.live.mode.value})
+    return Item("pnl-opmode", "opmode", {"opmode": context.live.panel.mode.value})
 
 
 def set_mode(context: RequestContext, request: Request) -> Answer:
@@ -52,7 +52,7 @@ def set_mode(context: RequestContext, request: Request) -> Answer:
     asked = request.form.get("opmode", "").lower()
     if asked not in _MODES:
         raise refused(BAD_PARAMETER, f"`opmode` cannot be `{asked}`")
-    context.live.set_mode(_MODES[asked])
+    context.live.panel.set_mode(_MODES[asked])
     return DONE
 
 
@@ -64,14 +64,14 @@ def speed_ratio(context: RequestContext, request: Request) -> Answer:
 
 def speed_item(context: RequestContext) -> Item:
     """Return the speed ratio as an item."""
-    return Item("pnl-speedratio", "speedratio", {"speedratio": str(context.live.speed_ratio)})
+    return Item("pnl-speedratio", "speedratio", {"speedratio": str(context.live.panel.speed_ratio)})
 
 
 def set_speed_ratio(context: RequestContext, request: Request) -> Answer:
     """Set the speed ratio of later moves."""
     context.require_mastership("rapid", request)
     percent = number(request.form, "speed-ratio")
-    context.live.set_speed_ratio(round(percent))
+    context.live.panel.set_speed_ratio(round(percent))
     return DONE
 
 

@@ -9,7 +9,7 @@ from __future__ import annotations
 import math
 from collections import deque
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import InitVar, dataclass, field, replace
 from datetime import datetime, timedelta
 
 from rapidsim.controller.cell.cell import CELL_TASK, Cause, Cell
@@ -23,12 +23,15 @@ from rapidsim.controller.journal.journal import Instant, Journal, Moment
 from rapidsim.diagnostics import Diagnostic
 from rapidsim.files import InputError
 from rapidsim.interpreter.runtime.shared_persistents import SharedPersistents, shared_persistents
+from rapidsim.language.error_log import LoggedError
 from rapidsim.language.errors import Stopped
 from rapidsim.simulation.live import event_log
 from rapidsim.simulation.live.event_log import EventLog, LogEntry
 from rapidsim.simulation.live.live_task import LiveTask
+from rapidsim.simulation.live.panel import Panel
 from rapidsim.simulation.live.scheduler import LiveScheduler
 from rapidsim.simulation.live.states import (
+    ControllerState,
     Cycle,
     ExecutionMode,
     Motors,
@@ -47,8 +50,6 @@ from rapidsim.simulation.task_run import TaskSetup, require_limits, unit_of
 _SCREEN_LINES = 100
 _REMEMBERED_S = 10.0
 """Motion history [s] kept of a robot: more than any reader, or smoothing, needs."""
-LEAST_RATIO = 1
-"""The speed ratio [%] used in place of 0 %, which is not modelled: the robot would not move."""
 
 
 def _ignore(entry: LogEntry | Event | Diagnostic) -> None:
@@ -67,10 +68,9 @@ class LiveController:
     """Called with each event of the run, once its time is known."""
     on_finding: Callable[[Diagnostic], None] = _ignore
     """Called with each finding that does not end a run, once for each rule and place."""
-    motors: Motors = Motors.ON
-    mode: OperatingMode = OperatingMode.AUTO
+    motors: InitVar[Motors] = Motors.ON
+    mode: InitVar[OperatingMode] = OperatingMode.AUTO
     cycle: Cycle = Cycle.FOREVER
-    speed_ratio: int = 100
     wire: Wire = field(default_factory=NullWire)
     """The network of the programs' sockets."""
     sensors: GuidanceSensors = field(default_factory=NoSensors)
@@ -84,6 +84,7 @@ class LiveController:
     external_streams: ExternalStreams = field(init=False)
     mailboxes: OutsideMailboxes = field(init=False)
     log: EventLog = field(init=False)
+    panel: Panel = field(init=False)
     tasks: dict[str, LiveTask] = field(init=False, default_factory=dict)
     """Tasks by folded name, in the order of the station."""
     scheduler: LiveScheduler = field(init=False)
@@ -94,7 +95,7 @@ class LiveController:
     """Time [s] at which the robots' history is discarded next."""
     _events: list[Event] = field(default_factory=list)
 
-    def __post_init__(self) -> None:
+    def __post_init__(self, motors: Motors, mode: OperatingMode) -> None:
         """Switch the controller on.
 
         Raises:
@@ -109,6 +110,7 @@ class LiveController:
         self.cell.pendant = self.pendant
         self.cell.logbook = lambda task, entry, time_s: self.log.written(entry, time_s)
         self.log = EventLog(lambda entry: self.on_log_entry(entry))
+        self.panel = Panel(self, self.log, ControllerState(motors), mode)
         self.scheduler = LiveScheduler(self.cell)
         self.cell.attach_scheduler(self.scheduler)
         self.external_streams = ExternalStreams(self.wire)
@@ -136,12 +138,12 @@ class LiveController:
                 self,
             )
         for task in self.tasks.values():
-            task.begin(0.0, self._refresh)
+            task.begin(0.0, self.panel.refresh_percent)
         self._link_tasks()
         self._show_states()
         # A log is never empty: public clients remember the number of its newest entry.
-        self.log.operational(event_log.OF_MODE[self.mode], self.now_s, "")
-        self.log.operational(event_log.OF_MOTORS[self.motors], self.now_s, "")
+        self.log.operational(event_log.OF_MODE[mode], self.now_s, "")
+        self.log.operational(event_log.OF_STATE[self.panel.state], self.now_s, "")
         for task in self.tasks.values():
             if not task.is_normal:
                 task.start()
@@ -231,7 +233,7 @@ class LiveController:
         tasks = list(self.normal_tasks)
         if how is not ExecutionMode.CONTINUE and self.scheduler.trace is not None:
             raise RequestRefused(RefusalReason.STATE, "steps are those of the attached debugger")
-        if self.motors is not Motors.ON:
+        if self.panel.state is not ControllerState.MOTORS_ON:
             raise RequestRefused(RefusalReason.STATE, "the motors are off")
         if self.executes:
             raise RequestRefused(RefusalReason.STATE, "the program executes already")
@@ -273,7 +275,7 @@ class LiveController:
             self.cell.rendezvous = RendezvousTable()
         for task in [self.task(name)] if name else self.tasks.values():
             if task.is_normal:
-                task.begin(self.now_s, self._refresh)
+                task.begin(self.now_s, self.panel.refresh_percent)
         self._link_tasks()
         self._show_states()
 
@@ -306,7 +308,7 @@ class LiveController:
             raise RequestRefused(
                 RefusalReason.STATE, f"{found.name} is neither started nor stopped"
             )
-        found.put_pointer(module, routine, self.now_s, self._refresh)
+        found.put_pointer(module, routine, self.now_s, self.panel.refresh_percent)
         self._link_tasks()
         self._show_states()
 
@@ -350,54 +352,18 @@ class LiveController:
         """States of all tasks, as clients see them."""
         return tuple(task.state() for task in self.tasks.values())
 
-    # The panel.
-
-    def set_motors(self, motors: Motors) -> None:
-        """Switch the motors on, or off, which stops the programs."""
-        if motors is self.motors:
-            return
-        if motors is Motors.OFF:
-            self.stop(StopMode.QUICK)
-        self.motors = motors
-        self.log.operational(event_log.OF_MOTORS[self.motors], self.now_s, "")
-        self._show_states()
-
-    def set_mode(self, mode: OperatingMode) -> None:
-        """Turn the mode key, which stops the programs; to or from AUTO the motors are switched off.
-
-        Raises:
-            RequestRefused: Between AUTO and manual full speed: the key passes manual reduced speed.
-        """
-        if mode is self.mode:
-            return
-        if {mode, self.mode} == {OperatingMode.AUTO, OperatingMode.FULL}:
-            raise RequestRefused(
-                RefusalReason.STATE, "between AUTO and MANF the key goes through MANR"
-            )
-        self.stop(StopMode.QUICK)
-        if OperatingMode.AUTO in (mode, self.mode):
-            self.set_motors(Motors.OFF)
-        self.mode = mode
-        self.log.operational(event_log.OF_MODE[self.mode], self.now_s, "")
-        self._show_states()
-
-    def set_speed_ratio(self, percent: int) -> None:
-        """Set the speed of later moves, in percent of the programmed speed.
-
-        Raises:
-            RequestRefused: Outside 0..100, or if the mode is not automatic.
-        """
-        if not 0 <= percent <= 100:
-            raise RequestRefused(
-                RefusalReason.VALUE, f"a speed ratio of {percent} %; 0..100 are possible"
-            )
-        if self.mode is not OperatingMode.AUTO:
-            raise RequestRefused(
-                RefusalReason.STATE, "the speed ratio is set in automatic mode only"
-            )
-        self.speed_ratio = percent
+    def apply_speed_ratio(self) -> None:
+        """Let later moves have the speed of the panel."""
         for task in self.tasks.values():
-            task.set_speed_ratio(self._refresh)
+            task.set_speed_ratio(self.panel.refresh_percent)
+
+    def panel_changed(self) -> None:
+        """Show a changed state of the panel; see `PanelOwner`."""
+        self._show_states()
+
+    def log_error(self, entry: LoggedError) -> None:
+        """Put an entry into the event log, which raises the interrupts that wait for it."""
+        self.cell.log(CELL_TASK, entry, self.now_s)
 
     # Inputs from operators and clients.
 
@@ -462,10 +428,6 @@ class LiveController:
 
     # Private.
 
-    @property
-    def _refresh(self) -> float:
-        return float(max(self.speed_ratio, LEAST_RATIO))
-
     def _require_stopped(self) -> None:
         if self.executes:
             raise RequestRefused(RefusalReason.STATE, "the program executes")
@@ -492,8 +454,7 @@ class LiveController:
                 signal.status,
                 executes=of.executes,
                 failed=has_failed,
-                motors=self.motors,
-                mode=self.mode,
+                panel=self.panel,
             )
             if value is not None and value != self.cell.signals.read(signal.name):
                 self.change_signal(signal.name, value)
