@@ -23,6 +23,7 @@ from rapidsim.controller.cell.description import (
     Gripper,
     Stimulus,
 )
+from rapidsim.controller.cell.faults import Fault
 from rapidsim.controller.cell.message_queues import QueueSettings
 from rapidsim.controller.cell.socket_scripts import SocketStep
 from rapidsim.frames.transform import Transform
@@ -78,6 +79,7 @@ TABLES: Mapping[str, tuple[str, type]] = {
     "signals": ("[signals]", SignalEntry),
     "cross": ("[[cross]]", CrossConnection),
     "stimulus": ("[[stimulus]]", Stimulus),
+    "fault": ("[[fault]]", Fault),
     "socket": ("[[socket]]", PeerTable),
     "camera": ("[[camera]]", CameraTable),
     "conveyor": ("[[conveyor]]", ConveyorScript),

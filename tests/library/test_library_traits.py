@@ -155,7 +155,7 @@ ELSEWHERE = {
         *("ClearPath", "RestoPath", "StorePath", "SyncMoveOn", "SyncMoveOff", "SyncMoveSuspend"),
         *("SyncMoveResume", "stop", "load", "RMQSendMessage"),
     },
-    "controller/cell/description.py": {"load", "set"},
+    "controller/cell/description.py": {"load", "set", "Stop"},
     "dap": {"type", "continue", "write"},
     "egm": {"type"},
     "interpreter/codegen/integer_inference.py": {"dim", "strlen"},

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import math
 from collections import deque
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import InitVar, dataclass, field, replace
 from datetime import datetime, timedelta
 
@@ -27,8 +27,10 @@ from rapidsim.language.error_log import LoggedError
 from rapidsim.language.errors import Stopped
 from rapidsim.simulation.live import event_log
 from rapidsim.simulation.live.event_log import EventLog, LogEntry
+from rapidsim.simulation.live.faults import LiveFaults
 from rapidsim.simulation.live.live_task import LiveTask
 from rapidsim.simulation.live.panel import Panel
+from rapidsim.simulation.live.restart import restart
 from rapidsim.simulation.live.scheduler import LiveScheduler
 from rapidsim.simulation.live.states import (
     ControllerState,
@@ -41,6 +43,7 @@ from rapidsim.simulation.live.states import (
     StopMode,
     TaskState,
 )
+from rapidsim.simulation.live.system_inputs import SystemInputs
 from rapidsim.simulation.live.system_outputs import status_value
 from rapidsim.simulation.options import RunOptions
 from rapidsim.simulation.result_builder import FinishedRun, build_result
@@ -88,7 +91,11 @@ class LiveController:
     tasks: dict[str, LiveTask] = field(init=False, default_factory=dict)
     """Tasks by folded name, in the order of the station."""
     scheduler: LiveScheduler = field(init=False)
+    faults: LiveFaults = field(init=False)
     _journal: Journal = field(init=False)
+    _acts: deque[Callable[[], None]] = field(default_factory=deque)
+    """What is to be done outside of all programs, at the present time."""
+    _is_acting: bool = False
     _ends_with_cycle: bool = False
     _shows_executing: bool = False
     _forgets_s: float = 0.0
@@ -147,6 +154,9 @@ class LiveController:
         for task in self.tasks.values():
             if not task.is_normal:
                 task.start()
+        inputs = {one.name.lower(): one for one in self.options.io.signals if one.action}
+        self.cell.listeners.append(SystemInputs(self, inputs))
+        self.faults = LiveFaults(self, self._journal.for_task(CELL_TASK))
 
     # Time.
 
@@ -171,11 +181,14 @@ class LiveController:
     @property
     def next_due_s(self) -> float:
         """Time [s] of the next event; infinite if there is none."""
-        return self.scheduler.due_s()
+        return self.now_s if self._acts else self.scheduler.due_s()
 
     def step(self, until_s: float) -> bool:
         """Dispatch one event that is due by a time [s]; return whether there was one."""
         stepped = self.scheduler.step(until_s)
+        if self._acts and not self._is_acting:
+            self._act()
+            stepped = True
         if not self.keeps_all and self.now_s >= self._forgets_s:
             self._forgets_s = self.now_s + _REMEMBERED_S
             for task in self.tasks.values():
@@ -197,6 +210,18 @@ class LiveController:
         else:
             self.screen.append(event.message)
 
+    def soon(self, act: Callable[[], None]) -> None:
+        """Do something at the present time, outside of all programs; see `FaultOwner`."""
+        self._acts.append(act)
+
+    def _act(self) -> None:
+        self._is_acting = True
+        try:
+            while self._acts:
+                self._acts.popleft()()
+        finally:
+            self._is_acting = False
+
     def advance(self, until_s: float) -> None:
         """Advance virtual time to `until_s` [s] and dispatch all events due by then."""
         while self.step(until_s):
@@ -205,6 +230,10 @@ class LiveController:
     def settle(self) -> None:
         """Dispatch all events that are due now."""
         self.advance(self.now_s)
+
+    def restart(self, *, cold: bool) -> None:
+        """Restart; see `restart.restart`."""
+        restart(self, cold=cold)
 
     # Programs.
 
@@ -273,9 +302,17 @@ class LiveController:
         self._require_stopped()
         if not name:
             self.cell.rendezvous = RendezvousTable()
-        for task in [self.task(name)] if name else self.tasks.values():
-            if task.is_normal:
-                task.begin(self.now_s, self.panel.refresh_percent)
+        chosen = [self.task(name)] if name else self.tasks.values()
+        self.begin_tasks([task for task in chosen if task.is_normal])
+
+    def begin_tasks(self, tasks: Iterable[LiveTask], *, keeps_data: bool = True) -> None:
+        """Set the program pointers of tasks to main; persistents keep their values, or do not."""
+        if not keeps_data:
+            shared = self._shared()
+            for task in self.tasks.values():
+                task.shared, task.task = shared, None
+        for task in tasks:
+            task.begin(self.now_s, self.panel.refresh_percent)
         self._link_tasks()
         self._show_states()
 

@@ -29,6 +29,7 @@ _CF: Final = re.compile(r"\d+")
 MOTORS_OFF, MOTORS_ON = 10010, 10011
 GUARD_STOP, EMERGENCY_STOP = 10012, 10013
 MANUAL, AUTOMATIC = 10015, 10017
+WARM_STARTED, COLD_STARTED = 10045, 10046
 OF_STATE: Final = {
     ControllerState.MOTORS_OFF: MOTORS_OFF,
     ControllerState.MOTORS_ON: MOTORS_ON,
@@ -51,6 +52,8 @@ _TITLES: Final = {
     MOTORS_ON: "Motors ON state",
     GUARD_STOP: "Safety guard stop state",
     EMERGENCY_STOP: "Emergency stop state",
+    WARM_STARTED: "System restarted",
+    COLD_STARTED: "System cold started",
     MANUAL: "Manual mode selected",
     AUTOMATIC: "Automatic mode confirmed",
     STARTED_FROM_MAIN: "Program started",
