@@ -19,6 +19,7 @@ from threading import Thread
 from time import monotonic
 from typing import Final, TypeAlias
 
+from rapidsim.controller.cell.faults import LastingFault
 from rapidsim.controller.cell.sensors import FeedbackSchedule
 from rapidsim.egm.devices import Address
 from rapidsim.egm.udp import Ports, SensorSocket
@@ -96,6 +97,13 @@ class CloseSensor:
     """Order to disconnect from a sensor."""
 
 
+@value_class(frozen=True, slots=True)
+class FailSensors:
+    """Order to let the datagrams of all sensors fail."""
+
+    faults: tuple[LastingFault, ...]
+
+
 Order: TypeAlias = (
     OpenSensor
     | StartGuidance
@@ -104,6 +112,7 @@ Order: TypeAlias = (
     | EndGuidance
     | StreamFeedback
     | CloseSensor
+    | FailSensors
 )
 
 
@@ -281,7 +290,9 @@ def _pass(
             one.socket.receive()
     while connection.poll():
         number, order = connection.recv()
-        if isinstance(order, OpenSensor):
+        if isinstance(order, FailSensors):
+            ports.faults.begin(order.faults)
+        elif isinstance(order, OpenSensor):
             sessions[number] = _SensorSession(number, order, ports.to(order.address))
         elif number in sessions:
             sessions[number].follow(order)

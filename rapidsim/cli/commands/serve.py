@@ -181,6 +181,12 @@ class ServeOptions:
         help="Record while the server runs; the file appears at the end.",
     )
     view: bool = option("--view", is_flag=True, help="Show the recording live.")
+    faults_port: int | None = option(
+        "--faults-port",
+        metavar="N",
+        type=click.IntRange(0, 65535),
+        help="A port of this computer at which tests make the controller fail; 0 picks a free one.",
+    )
     debug_port: int | None = option(
         "--debug",
         metavar="PORT",
@@ -241,6 +247,8 @@ def serve(options: ServeOptions) -> int:
             "pid": os.getpid(),
             "version": __version__,
         }
+        if addresses.faults is not None:
+            line["faults"] = addresses.faults
         if engine.ready.debug is not None:
             line["debug"] = engine.ready.debug
         echo(json.dumps(line))
@@ -300,6 +308,7 @@ def _server_settings(options: ServeOptions, ports: tuple[int | None, int | None]
         host=options.host,
         rws1_port=ports[0],
         rws2_port=ports[1],
+        faults_port=options.faults_port,
         tls=None if ports[1] is None else _tls(),
         hosts=frozenset(name.lower() for name in options.allow_hosts),
         origins=frozenset(map(_origin, options.allow_origins)),

@@ -65,7 +65,7 @@ KEYS: Final[Mapping[FaultKind, tuple[str, ...]]] = MappingProxyType(
     }
 )
 """Further keys by kind; those of other kinds are refused."""
-_KIND: Final = Required('say what fails, as in kind = "emergency_stop"')
+_KIND: Final = Required('name the kind, as in kind = "emergency_stop"')
 
 
 @value_class(frozen=True, slots=True, kw_only=True)
@@ -73,7 +73,7 @@ class Fault(Occasion):
     """Something that goes wrong."""
 
     kind: Annotated[FaultKind, noun("a kind of fault"), _KIND]
-    """What goes wrong."""
+    """The kind of fault."""
     for_s: Annotated[AboveZero | None, Key("for")] = None
     """Time after which it ends; None if it lasts until it is ended. Of a restart: real time for
     which clients cannot connect, 1 s by default."""

@@ -35,6 +35,8 @@ class Connections:
     most_of_owner: int = MOST_OF_OWNER
     head_s: float = HEAD_S
     login_s: float = LOGIN_S
+    refuses: Callable[[], bool] = lambda: False
+    """Returns whether a new connection is reset at once."""
     _by_owner: dict[_Owner, dict[ClientConnection, None]] = field(default_factory=dict)
     _by_protocol: dict[asyncio.BaseProtocol, ClientConnection] = field(default_factory=dict)
 
@@ -45,6 +47,12 @@ class Connections:
     def __len__(self) -> int:
         """Number of connections."""
         return sum(map(len, self._by_owner.values()))
+
+    def abort_all(self) -> None:
+        """Close all connections at once."""
+        for connections in tuple(self._by_owner.values()):
+            for connection in tuple(connections):
+                connection.abort()
 
     def of(self, protocol: asyncio.BaseProtocol) -> ClientConnection:
         """Return the connection of an HTTP protocol."""

@@ -94,7 +94,7 @@ class LiveController:
     faults: LiveFaults = field(init=False)
     _journal: Journal = field(init=False)
     _acts: deque[Callable[[], None]] = field(default_factory=deque)
-    """What is to be done outside of all programs, at the present time."""
+    """Acts outside of all programs that are due at the present time."""
     _is_acting: bool = False
     _ends_with_cycle: bool = False
     _shows_executing: bool = False

@@ -70,11 +70,11 @@ class LiveFaults:
     owner: FaultOwner
     journal: Journal
     changed: Callable[[], None] = _ignore
-    """Called when the lasting faults have changed, or the controller has restarted."""
+    """Called when the lasting faults of connections have changed."""
     lasting: dict[int, LastingFault] = field(default_factory=dict)
     """By number."""
-    restarted: Fault | None = None
-    """The last restart."""
+    restarted: Callable[[Fault], None] = lambda fault: None
+    """Called when the controller has restarted."""
     _occasions: Occasions[Fault] = field(init=False)
     _last: int = 0
     _era: int = 0
@@ -189,8 +189,7 @@ class LiveFaults:
     def restart(self, fault: Fault) -> None:
         """Restart the controller."""
         self.owner.restart(cold=fault.mode == "cold")
-        self.restarted = fault
-        self.changed()
+        self.restarted(fault)
 
     def set_disk(self, fault: Fault) -> None:
         """Fill the disk, or empty it."""

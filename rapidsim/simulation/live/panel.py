@@ -111,7 +111,7 @@ class Panel:
     speed_ratio: int = 100
     """Speed of later moves, in percent of the programmed speed."""
     open: dict[SafetyStop, int] = field(default_factory=dict)
-    """How often each part of the safety chain is open; without those that are closed."""
+    """Number of causes that open each part of the safety chain; without closed parts."""
 
     @property
     def is_chain_closed(self) -> bool:
