@@ -69,9 +69,9 @@ ACTS: tuple[Message, ...] = (
     Request("POST", "/rw/panel/speedratio", {"action": "setspeedratio"}, {"speed-ratio": "30"}, 1),
     SessionEnded(1),
     Subscribe(("/rw/iosystem/signals/doPulse;state", "/rw/rapid/execution;ctrlexecstate"), 1),
-    *map(
-        BeginFault,
-        (
+    *(
+        BeginFault(fault)
+        for fault in (
             {"kind": "emergency_stop", "for": 0.5},
             {"kind": "guard_stop", "when": "doPulse", "after": 0.1, "nth": [1]},
             {"kind": "general_stop"},
@@ -82,7 +82,7 @@ ACTS: tuple[Message, ...] = (
             {"kind": "device_lost", "device": "any", "for": 0.3},
             {"kind": "drop", "on": "socket"},
             {"kind": "none"},
-        ),
+        )
     ),
     EndFaults(),
     Request(
