@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass, field
 from typing import Generic, TypeVar
 
-from rapidsim.controller.cell.faults import FaultKind, LastingFault
+from rapidsim.controller.cell.faults import FailureKind, LastingFault
 
 T = TypeVar("T")
 
@@ -54,11 +54,11 @@ class DatagramLine(Generic[T]):
 
     def _new(self, data: T, time_s: float) -> Iterator[T]:
         kinds = {one.fault.kind: one.fault for one in self.faults.acting()}
-        is_refused = FaultKind.REFUSE in kinds and not self.is_outgoing
-        if FaultKind.DROP in kinds or is_refused:
+        is_refused = FailureKind.REFUSE in kinds and not self.is_outgoing
+        if FailureKind.DROP in kinds or is_refused:
             return
-        copies = 2 if FaultKind.DUPLICATE in kinds else 1
-        if (delay := kinds.get(FaultKind.DELAY)) is not None:
+        copies = 2 if FailureKind.DUPLICATE in kinds else 1
+        if (delay := kinds.get(FailureKind.DELAY)) is not None:
             self._late.extend([(time_s + delay.by_s, data)] * copies)
         else:
             yield from [data] * copies

@@ -16,7 +16,6 @@ from rapidsim.controller.cell.faults import Channel, Fault
 from rapidsim.controller.journal.events import Event
 from rapidsim.diagnostics import Diagnostic, Severity
 from rapidsim.motion.guidance.sensor import SensorAnswer
-from rapidsim.server.arrivals import Arrivals
 from rapidsim.server.journal import (
     event_line,
     log_line,
@@ -45,6 +44,7 @@ from rapidsim.server.messages import (
     Subscribe,
     Unsubscribe,
 )
+from rapidsim.server.network_inputs import NetworkInputs
 from rapidsim.server.resources.context import RequestContext
 from rapidsim.server.resources.faults import begin_fault
 from rapidsim.server.resources.operator_view import looked
@@ -226,7 +226,7 @@ class Engine:
     """Observer that shows the run; None if nothing is recorded."""
     context: RequestContext = field(init=False)
     subscriptions: Subscriptions = field(init=False)
-    _arrivals: Arrivals = field(init=False)
+    _inputs: NetworkInputs = field(init=False)
     _lag_reported_s: float = _LAG_S
     _deferred_lines: list[str] | None = None
     """Journal lines of a request's effects, which follow its own line."""
@@ -236,7 +236,7 @@ class Engine:
         self.context = RequestContext(self.live, self.versions)
         is_paced = not isinstance(self.pace, LockStep)
         self.subscriptions = Subscriptions(self.context, self.notify, is_paced)
-        self._arrivals = Arrivals(self.live)
+        self._inputs = NetworkInputs(self.live)
         self.live.faults.changed = self._faults_changed
         self.live.faults.restarted = self._restarted
         self.live.on_log_entry = self._logged
@@ -335,7 +335,7 @@ class Engine:
             case Unsubscribe(group):
                 self.subscriptions.end(group)
             case FromNetwork():
-                self._arrivals.receive(message)
+                self._inputs.receive(message)
             case BeginFault(values):
                 begin_fault(self.live, values)
             case EndFaults():
@@ -346,7 +346,7 @@ class Engine:
     def _faults_changed(self) -> None:
         """Let connections fail, or no longer."""
         faults = self.live.faults
-        self._arrivals.faults_changed()
+        self._inputs.faults_changed()
         self.live.sensors.fail(faults.of(Channel.EGM))
         for_clients = faults.of(Channel.HTTP) + faults.of(Channel.WEBSOCKET)
         self.notify(ConnectionFaults(for_clients))

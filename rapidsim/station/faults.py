@@ -11,7 +11,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from pathlib import Path
 
-from rapidsim.controller.cell.faults import KEYS, Fault, FaultKind
+from rapidsim.controller.cell.faults import KEYS, FailureKind, Fault
 from rapidsim.controller.cell.occasions import Occasion
 from rapidsim.json_records.declarations import record_fields
 from rapidsim.station.declared_tables import as_record, values_of
@@ -48,13 +48,13 @@ def read_fault(values: Mapping[str, object]) -> Fault:
 def _fault(reader: Reader, table: Table, path: str) -> Fault | None:
     values = values_of(reader, Fault, table, path)
     kind = values.get("kind")
-    if not isinstance(kind, FaultKind):
+    if not isinstance(kind, FailureKind):
         return None
     for key in table:
         if key not in (*_OF_ALL, *KEYS[kind]) and key in _KNOWN:
             known = ", ".join(KEYS[kind]) or "none"
             reader.wrong(f"{path}.{key}", f"{kind} has no such key; of its own it has: {known}")
-    if kind is FaultKind.DEVICE_LOST and not values.get("device"):
+    if kind is FailureKind.DEVICE_LOST and not values.get("device"):
         reader.wrong(f"{path}.device", "name the device")
     return as_record(Fault, values)
 

@@ -250,9 +250,6 @@ class RecordingController(NoSockets, PartsAtRest, Undisturbed):
     def forget(self, camera: Camera) -> None:
         raise AssertionError("there are no cameras here")
 
-    def has_contact(self, device: str) -> bool:
-        return True
-
     def is_enabled(self, device: str) -> bool:
         return device.lower() not in self.disabled
 

@@ -181,6 +181,11 @@ def test_a_restart_ends_sessions_and_the_controller_is_back_with_motors_off(
         await served.post(f"{CTRLSTATE}?action=setctrlstate", ctrl_state="motoron")
         assert (await served.post(f"{EXECUTION}?action=start"))[0] == 204
         assert "10045" in await codes(served)
+        # A client gets the answer, then its connection ends.
+        assert await served.post("rw/panel?action=restart", restart_mode="pstart") == (204, 0)
+        await asyncio.sleep(0.2)
+        with pytest.raises(aiohttp.ClientConnectionError):
+            await served.get(EXECUTION)
 
     failing(tmp_path, use)
 

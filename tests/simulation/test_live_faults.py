@@ -12,7 +12,7 @@ from rapidsim.controller.cell.description import (
     SignalKind,
     SystemAction,
 )
-from rapidsim.controller.cell.faults import Fault, FaultKind
+from rapidsim.controller.cell.faults import FailureKind, Fault
 from rapidsim.simulation.live import signals
 from rapidsim.simulation.live.states import RequestRefused
 from rapidsim.station.faults import read_fault
@@ -51,7 +51,7 @@ def state(live: Live) -> str:
 
 
 def test_a_fault_of_the_station_begins_in_time_and_ends_and_inputs_reset_and_start() -> None:
-    live = Live(TURNS, io=cell(Fault(kind=FaultKind.EMERGENCY_STOP, at_s=1.0, for_s=2.0)))
+    live = Live(TURNS, io=cell(Fault(kind=FailureKind.EMERGENCY_STOP, at_s=1.0, for_s=2.0)))
     push(live, "diStart")
     assert live.controller.executes
     live.after(1.0)
@@ -80,7 +80,7 @@ def test_a_fault_of_the_station_begins_in_time_and_ends_and_inputs_reset_and_sta
 
 def test_a_condition_begins_a_fault_at_the_occurrences_that_it_names() -> None:
     fault = Fault(
-        kind=FaultKind.GUARD_STOP, when=read_condition("doDone"), after_s=0.1, nth=(2,), for_s=0.5
+        kind=FailureKind.GUARD_STOP, when=read_condition("doDone"), after_s=0.1, nth=(2,), for_s=0.5
     )
     live = Live(TURNS, io=cell(fault))
     live.controller.start()

@@ -19,7 +19,7 @@ from rapidsim.json_records.declarations import (
 from rapidsim.values import value_class
 
 
-class FaultKind(StrEnum):
+class FailureKind(StrEnum):
     """Kinds of faults."""
 
     EMERGENCY_STOP = "emergency_stop"
@@ -49,19 +49,19 @@ class Channel(StrEnum):
 
 
 _LASTING: Final = ("for", "count")
-KEYS: Final[Mapping[FaultKind, tuple[str, ...]]] = MappingProxyType(
+KEYS: Final[Mapping[FailureKind, tuple[str, ...]]] = MappingProxyType(
     {
-        FaultKind.EMERGENCY_STOP: ("for",),
-        FaultKind.GUARD_STOP: ("for",),
-        FaultKind.GENERAL_STOP: ("for",),
-        FaultKind.RESTART: ("mode", "for"),
-        FaultKind.DROP: ("on", *_LASTING),
-        FaultKind.DELAY: ("on", "by", *_LASTING),
-        FaultKind.DUPLICATE: ("on", *_LASTING),
-        FaultKind.REFUSE: ("on", *_LASTING),
-        FaultKind.FULL_DISK: ("for",),
-        FaultKind.ELOG: ("code", "severity", "title", "texts"),
-        FaultKind.DEVICE_LOST: ("device", "for"),
+        FailureKind.EMERGENCY_STOP: ("for",),
+        FailureKind.GUARD_STOP: ("for",),
+        FailureKind.GENERAL_STOP: ("for",),
+        FailureKind.RESTART: ("mode", "for"),
+        FailureKind.DROP: ("on", *_LASTING),
+        FailureKind.DELAY: ("on", "by", *_LASTING),
+        FailureKind.DUPLICATE: ("on", *_LASTING),
+        FailureKind.REFUSE: ("on", *_LASTING),
+        FailureKind.FULL_DISK: ("for",),
+        FailureKind.ELOG: ("code", "severity", "title", "texts"),
+        FailureKind.DEVICE_LOST: ("device", "for"),
     }
 )
 """Further keys by kind; those of other kinds are refused."""
@@ -72,7 +72,7 @@ _KIND: Final = Required('name the kind, as in kind = "emergency_stop"')
 class Fault(Occasion):
     """Something that goes wrong."""
 
-    kind: Annotated[FaultKind, noun("a kind of fault"), _KIND]
+    kind: Annotated[FailureKind, noun("a kind of fault"), _KIND]
     """The kind of fault."""
     for_s: Annotated[AboveZero | None, Key("for")] = None
     """Time after which it ends; None if it lasts until it is ended. Of a restart: real time for
@@ -102,7 +102,7 @@ class Fault(Occasion):
     @property
     def lasts(self) -> bool:
         """Whether it has an end, rather than being over at once."""
-        return self.kind not in (FaultKind.RESTART, FaultKind.ELOG)
+        return self.kind not in (FailureKind.RESTART, FailureKind.ELOG)
 
     @property
     def is_of_connection(self) -> bool:

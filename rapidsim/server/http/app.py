@@ -12,7 +12,7 @@ from typing import Final
 
 from aiohttp import web
 
-from rapidsim.controller.cell.faults import Channel, FaultKind
+from rapidsim.controller.cell.faults import Channel, FailureKind
 from rapidsim.server.http.client_faults import REQUEST_KINDS, ClientFaults
 from rapidsim.server.http.connections import ClientConnection, Connections
 from rapidsim.server.http.dialect import Dialect
@@ -101,14 +101,14 @@ class HttpFrontend:
         connection = self.connections.of(request.protocol)
         connection.begin_request()
         acting = self.faults.acting(Channel.HTTP, *REQUEST_KINDS)
-        if FaultKind.DROP in acting:
+        if FailureKind.DROP in acting:
             connection.abort()
             return web.Response(status=400)
-        request[_IS_REPEATED] = FaultKind.DUPLICATE in acting
+        request[_IS_REPEATED] = FailureKind.DUPLICATE in acting
         try:
             response = await self._admitted(request, handler, connection)
-            if FaultKind.DELAY in acting:
-                await asyncio.sleep(acting[FaultKind.DELAY].by_s)
+            if FailureKind.DELAY in acting:
+                await asyncio.sleep(acting[FailureKind.DELAY].by_s)
             if not response.prepared:
                 response.headers.update(self._cross_origin_headers(request))
             return response

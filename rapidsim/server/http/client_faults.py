@@ -7,7 +7,7 @@ from collections import Counter
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 
-from rapidsim.controller.cell.faults import Channel, Fault, FaultKind, LastingFault
+from rapidsim.controller.cell.faults import Channel, FailureKind, Fault, LastingFault
 
 
 @dataclass(slots=True, eq=False)
@@ -33,11 +33,11 @@ class ClientFaults:
     def refuses_connection(self) -> bool:
         """Whether a new connection is refused."""
         is_down = asyncio.get_running_loop().time() < self._down_until_s
-        return is_down or FaultKind.REFUSE in self.acting(Channel.HTTP, FaultKind.REFUSE)
+        return is_down or FailureKind.REFUSE in self.acting(Channel.HTTP, FailureKind.REFUSE)
 
-    def acting(self, channel: Channel, *kinds: FaultKind) -> Mapping[FaultKind, Fault]:
+    def acting(self, channel: Channel, *kinds: FailureKind) -> Mapping[FailureKind, Fault]:
         """Return the faults of some kinds that act now, each of which has then acted once more."""
-        acting = dict[FaultKind, Fault]()
+        acting = dict[FailureKind, Fault]()
         for number, fault in ((one.number, one.fault) for one in self.lasting):
             is_spent = fault.count is not None and self._used[number] >= fault.count
             if fault.on is channel and fault.kind in kinds and not is_spent:
@@ -46,5 +46,5 @@ class ClientFaults:
         return acting
 
 
-REQUEST_KINDS = (FaultKind.DROP, FaultKind.DELAY, FaultKind.DUPLICATE)
+REQUEST_KINDS = (FailureKind.DROP, FailureKind.DELAY, FailureKind.DUPLICATE)
 """Kinds that act on a request or an event; one that is refused never begins."""

@@ -9,7 +9,7 @@ from typing import Final, TypeAlias
 
 from aiohttp import WSCloseCode, WSMsgType, web
 
-from rapidsim.controller.cell.faults import Channel, FaultKind
+from rapidsim.controller.cell.faults import Channel, FailureKind
 from rapidsim.server.http.bodies import event_text
 from rapidsim.server.http.client_faults import REQUEST_KINDS, ClientFaults
 from rapidsim.server.http.dialect import Dialect
@@ -82,11 +82,11 @@ class SubscriptionGroups:
         if group is None:
             return
         acting = self.faults.acting(Channel.WEBSOCKET, *REQUEST_KINDS)
-        if FaultKind.DROP in acting:
+        if FailureKind.DROP in acting:
             group.break_off()
             return
-        delay = acting.get(FaultKind.DELAY)
-        for _ in range(2 if FaultKind.DUPLICATE in acting else 1):
+        delay = acting.get(FailureKind.DELAY)
+        for _ in range(2 if FailureKind.DUPLICATE in acting else 1):
             if delay is None:
                 group.add(event)
             else:
@@ -131,7 +131,7 @@ class SubscriptionGroups:
         group = self._group(number, session)
         if group is None:
             return dialect.represent(request, _no_group(number))
-        if FaultKind.REFUSE in self.faults.acting(Channel.WEBSOCKET, FaultKind.REFUSE):
+        if FailureKind.REFUSE in self.faults.acting(Channel.WEBSOCKET, FailureKind.REFUSE):
             return web.Response(status=503)
         protocols = (dialect.protocol,)
         socket = web.WebSocketResponse(timeout=_PARTING_S, protocols=protocols, heartbeat=30.0)

@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from enum import StrEnum
 from typing import Final
 
+from rapidsim.controller.cell.faults import FailureKind, Fault
 from rapidsim.server.messages import DONE, Answer, Item, Request
 from rapidsim.server.resources.codes import BAD_PARAMETER, refused
 from rapidsim.server.resources.context import RequestContext, chosen, number
@@ -17,6 +19,14 @@ _MODES: Final = {
     "manf": OperatingMode.FULL,
     "manfs": OperatingMode.FULL,
 }
+
+
+class _RestartMode(StrEnum):
+    """Restarts in the words of clients; all but the first are cold."""
+
+    WARM = "restart"
+    RESET_RAPID = "pstart"
+    RESET_SYSTEM = "istart"
 
 
 def state(context: RequestContext, request: Request) -> Answer:
@@ -33,6 +43,14 @@ def state_item(context: RequestContext) -> Item:
 def set_state(context: RequestContext, request: Request) -> Answer:
     """Switch the motors on or off."""
     context.live.panel.set_motors(chosen(request.form, "ctrl-state", Motors))
+    return DONE
+
+
+def restart(context: RequestContext, request: Request) -> Answer:
+    """Restart the controller: warm, or cold with programs and data as at the start."""
+    is_warm = chosen(request.form, "restart-mode", _RestartMode) is _RestartMode.WARM
+    context.live.faults.add(Fault(kind=FailureKind.RESTART, mode="warm" if is_warm else "cold"))
+    context.live.settle()
     return DONE
 
 

@@ -79,6 +79,9 @@ class LiveController:
     sensors: GuidanceSensors = field(default_factory=NoSensors)
     keeps_all: bool = False
     """Whether all events and motion are kept for `finished`; memory then grows without bound."""
+    has_clients: bool = True
+    """Whether clients answer questions and are the peers of sockets; else the options say who is,
+    and limit the run in wall-clock time."""
     cell: Cell = field(init=False)
     pendant: Pendant = field(init=False, default_factory=Pendant)
     """Questions that wait for an answer."""
@@ -92,6 +95,8 @@ class LiveController:
     """Tasks by folded name, in the order of the station."""
     scheduler: LiveScheduler = field(init=False)
     faults: LiveFaults = field(init=False)
+    stopped_by: str = ""
+    """Instruction that has stopped the programs last; empty if none has."""
     _journal: Journal = field(init=False)
     _acts: deque[Callable[[], None]] = field(default_factory=deque)
     """Acts outside of all programs that are due at the present time."""
@@ -108,23 +113,25 @@ class LiveController:
         Raises:
             InputError: If an arm cannot be timed, or no task moves one.
         """
-        self.options = replace(self.options, max_time_s=math.inf, max_wall_s=None)
+        max_wall_s = None if self.has_clients else self.options.max_wall_s
+        self.options = replace(self.options, max_time_s=math.inf, max_wall_s=max_wall_s)
         self._journal = Journal(
             self.setups[0].name, self.keeps_all, on_finding=lambda found: self.on_finding(found)
         )
         self.cell = Cell(self.options.cell, self._journal)
         self.cell.has_clients = True
-        self.cell.pendant = self.pendant
         self.cell.logbook = lambda task, entry, time_s: self.log.written(entry, time_s)
         self.log = EventLog(lambda entry: self.on_log_entry(entry))
         self.panel = Panel(self, self.log, ControllerState(motors), mode)
         self.scheduler = LiveScheduler(self.cell)
         self.cell.attach_scheduler(self.scheduler)
         self.external_streams = ExternalStreams(self.wire)
-        self.cell.sockets.external = self.external_streams
         self.mailboxes = OutsideMailboxes(self.wire)
-        self.cell.datagrams.outside = self.mailboxes
-        self.cell.sensors = self.sensors
+        if self.has_clients:
+            self.cell.pendant = self.pendant
+            self.cell.sockets.external = self.external_streams
+            self.cell.datagrams.outside = self.mailboxes
+            self.cell.sensors = self.sensors
         arms = [setup.robot for setup in self.setups if setup.robot is not None]
         if not arms:
             raise InputError("no task moves a robot", "give one of them `motion = true`")
@@ -223,7 +230,7 @@ class LiveController:
             self._is_acting = False
 
     def advance(self, until_s: float) -> None:
-        """Advance virtual time to `until_s` [s] and dispatch all events due by then."""
+        """Advance virtual time to a time [s] and dispatch all events due by then."""
         while self.step(until_s):
             pass
 
@@ -271,7 +278,7 @@ class LiveController:
         if any(not one.has_pointer for one in tasks):
             raise RequestRefused(RefusalReason.STATE, "the program pointer is lost; set it to main")
         self.cycle = cycle or self.cycle
-        self._ends_with_cycle = False
+        self._ends_with_cycle, self.stopped_by = False, ""
         for task in tasks:
             code = event_log.STARTED_AGAIN if task.has_started else event_log.STARTED_FROM_MAIN
             self.log.operational(code, self.now_s, f"{task.name} has been started.", task.name)
@@ -285,11 +292,7 @@ class LiveController:
             self._ends_with_cycle = True
             return
         on_path = how is not StopMode.INSTRUCTION
-        for task in self.normal_tasks:
-            if task.executes:
-                task.stop(on_path=on_path)
-                text = f"{task.name} has been stopped."
-                self.log.operational(event_log.STOPPED, self.now_s, text, task.name)
+        self._stop_tasks("", on_path=on_path)
         self.settle()
         self._show_states()
 
@@ -358,10 +361,6 @@ class LiveController:
         self._require_stopped()
         return self.task(name)
 
-    def set_cycle(self, cycle: Cycle) -> None:
-        """Set the cycle mode after the end of main."""
-        self.cycle = cycle
-
     def task(self, name: str) -> LiveTask:
         """Return a task by name, in any case.
 
@@ -395,7 +394,7 @@ class LiveController:
             task.set_speed_ratio(self.panel.refresh_percent)
 
     def panel_changed(self) -> None:
-        """Show a changed state of the panel; see `PanelOwner`."""
+        """Show a state in system outputs; see `PanelOwner`."""
         self._show_states()
 
     def log_error(self, entry: LoggedError) -> None:
@@ -437,10 +436,14 @@ class LiveController:
 
     def stop_all(self, reason: str) -> None:
         """Stop all tasks, as one of the programs requests."""
+        self.stopped_by = reason
+        self._stop_tasks(f" by {reason}", on_path=True)
+
+    def _stop_tasks(self, by: str, *, on_path: bool) -> None:
         for task in self.normal_tasks:
             if task.executes:
-                task.stop(on_path=True)
-                text = f"{task.name} has been stopped by {reason}."
+                task.stop(on_path=on_path)
+                text = f"{task.name} has been stopped{by}."
                 self.log.operational(event_log.STOPPED, self.now_s, text, task.name)
 
     def cycle_ended(self) -> bool:

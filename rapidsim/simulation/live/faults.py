@@ -14,7 +14,7 @@ from typing import Final, Protocol
 
 from rapidsim.controller.cell.cell import Cell
 from rapidsim.controller.cell.due_occasions import DueOccasion, Occasions
-from rapidsim.controller.cell.faults import Channel, Fault, FaultKind, LastingFault
+from rapidsim.controller.cell.faults import Channel, FailureKind, Fault, LastingFault
 from rapidsim.controller.journal.events import EventKind
 from rapidsim.controller.journal.journal import Instant, Journal, Moment
 from rapidsim.language.error_log import ERROR, STATE, WARNING, LoggedError
@@ -23,11 +23,11 @@ from rapidsim.simulation.live.states import RefusalReason, RequestRefused, Safet
 
 MOST_LASTING: Final = 1000
 """Largest number of faults that last at one time."""
-_STOPS: Final[Mapping[FaultKind, SafetyStop]] = MappingProxyType(
+_STOPS: Final[Mapping[FailureKind, SafetyStop]] = MappingProxyType(
     {
-        FaultKind.EMERGENCY_STOP: SafetyStop.EMERGENCY,
-        FaultKind.GUARD_STOP: SafetyStop.AUTOMATIC,
-        FaultKind.GENERAL_STOP: SafetyStop.GENERAL,
+        FailureKind.EMERGENCY_STOP: SafetyStop.EMERGENCY,
+        FailureKind.GUARD_STOP: SafetyStop.AUTOMATIC,
+        FailureKind.GENERAL_STOP: SafetyStop.GENERAL,
     }
 )
 _SEVERITIES: Final = MappingProxyType({"information": STATE, "warning": WARNING, "error": ERROR})
@@ -106,7 +106,7 @@ class LiveFaults:
         """
         if len(self.lasting) >= MOST_LASTING:
             raise RequestRefused(RefusalReason.STATE, f"{MOST_LASTING} faults last already")
-        if fault.kind is FaultKind.DEVICE_LOST:
+        if fault.kind is FailureKind.DEVICE_LOST:
             self._signals_of(fault.device)
         now_s = self.owner.now_s
         for due in self._occasions.add(fault, self.owner.cell.signals.read, now_s):
@@ -168,7 +168,7 @@ class LiveFaults:
             if one.fault.is_of_connection and one.fault.on is channel
         )
 
-    def lasts(self, kind: FaultKind) -> bool:
+    def lasts(self, kind: FailureKind) -> bool:
         """Whether a fault of a kind lasts."""
         return any(one.fault.kind is kind for one in self.lasting.values())
 
@@ -194,7 +194,7 @@ class LiveFaults:
     def set_disk(self, fault: Fault) -> None:
         """Fill the disk, or empty it."""
         del fault
-        self.owner.cell.home.disk.is_full = self.lasts(FaultKind.FULL_DISK)
+        self.owner.cell.home.disk.is_full = self.lasts(FailureKind.FULL_DISK)
 
     def log(self, fault: Fault) -> None:
         """Write an entry of the event log."""
@@ -204,7 +204,7 @@ class LiveFaults:
 
     def set_devices(self, fault: Fault) -> None:
         """Lose contact with devices, or find it again."""
-        kind, cell = FaultKind.DEVICE_LOST, self.owner.cell
+        kind, cell = FailureKind.DEVICE_LOST, self.owner.cell
         before = set(cell.lost_devices)
         lost = [one.fault.device for one in self.lasting.values() if one.fault.kind is kind]
         cell.lost_devices = {device.lower() for device in lost}
@@ -249,20 +249,20 @@ class LiveFaults:
 
 
 Act = Callable[[LiveFaults, Fault], None]
-_BEGINS: Final[Mapping[FaultKind, Act]] = MappingProxyType(
+_BEGINS: Final[Mapping[FailureKind, Act]] = MappingProxyType(
     {
         **dict.fromkeys(_STOPS, LiveFaults.open_chain),
-        FaultKind.RESTART: LiveFaults.restart,
-        FaultKind.FULL_DISK: LiveFaults.set_disk,
-        FaultKind.ELOG: LiveFaults.log,
-        FaultKind.DEVICE_LOST: LiveFaults.set_devices,
+        FailureKind.RESTART: LiveFaults.restart,
+        FailureKind.FULL_DISK: LiveFaults.set_disk,
+        FailureKind.ELOG: LiveFaults.log,
+        FailureKind.DEVICE_LOST: LiveFaults.set_devices,
     }
 )
-_ENDS: Final[Mapping[FaultKind, Act]] = MappingProxyType(
+_ENDS: Final[Mapping[FailureKind, Act]] = MappingProxyType(
     {
         **dict.fromkeys(_STOPS, LiveFaults.close_chain),
-        FaultKind.FULL_DISK: LiveFaults.set_disk,
-        FaultKind.DEVICE_LOST: LiveFaults.set_devices,
+        FailureKind.FULL_DISK: LiveFaults.set_disk,
+        FailureKind.DEVICE_LOST: LiveFaults.set_devices,
     }
 )
 """Effects on the controller; a fault of a connection has none."""

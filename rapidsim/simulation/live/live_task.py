@@ -83,6 +83,8 @@ class LiveTask:
     """Whether the task takes part when programs are started."""
     has_pointer: bool = True
     """Whether the program pointer is at a statement from which the program can continue."""
+    has_ended: bool = False
+    """Whether main has returned, and not been started again."""
     _has_started: bool = False
     _execution: ExecutionMode = ExecutionMode.CONTINUE
     _stepper: Stepper = field(init=False)
@@ -203,7 +205,7 @@ class LiveTask:
 
     def end(self, now_s: float) -> None:
         """Unload the program; its robot discards the rest of its path."""
-        self._has_started = self.has_pointer = False
+        self._has_started = self.has_pointer = self.has_ended = False
         if not hasattr(self, "run"):
             return
         clock = self.run.controller.clock
@@ -226,7 +228,7 @@ class LiveTask:
 
     def start(self, how: ExecutionMode = ExecutionMode.CONTINUE) -> None:
         """Start at main, or continue where the program stopped: for one step, or until it stops."""
-        self._execution = how
+        self._execution, self.has_ended = how, False
         execution, clock = self.run.controller.execution, self.run.controller.clock
         if self._has_started:
             execution.resume()
@@ -309,6 +311,7 @@ class LiveTask:
                         continue
                     with suppress(CycleEnded):
                         self.run.controller.motion.finish()
+                    self.has_ended = True
                     execution.await_restart()
         except (FatalError, MotionError, Stopped) as error:
             ended = outcome_of(error, self.run)

@@ -9,13 +9,13 @@ from __future__ import annotations
 from collections import Counter
 from dataclasses import dataclass, field, replace
 
-from rapidsim.controller.cell.faults import Channel, Fault, FaultKind
+from rapidsim.controller.cell.faults import Channel, FailureKind, Fault
 from rapidsim.server.messages import DATAGRAM, FromNetwork
 from rapidsim.simulation.live.controller import LiveController
 
 
 @dataclass(slots=True, eq=False)
-class Arrivals:
+class NetworkInputs:
     """Passes inputs from the network on to the programs."""
 
     live: LiveController
@@ -26,15 +26,15 @@ class Arrivals:
         """Handle an input, as far as faults let it pass."""
         faults = self._acting()
         begins = bool(message.peer) or message.number == DATAGRAM
-        if FaultKind.DROP in faults or (FaultKind.REFUSE in faults and begins):
+        if FailureKind.DROP in faults or (FailureKind.REFUSE in faults and begins):
             self._close(message.number)
             return
-        if FaultKind.DELAY in faults:
-            due_s = self.live.now_s + faults[FaultKind.DELAY].by_s
+        if FailureKind.DELAY in faults:
+            due_s = self.live.now_s + faults[FailureKind.DELAY].by_s
             self.live.cell.happen(due_s, lambda _: self.live.soon(lambda: self._deliver(message)))
         else:
             self._deliver(message)
-        if FaultKind.DUPLICATE in faults and message.data:
+        if FailureKind.DUPLICATE in faults and message.data:
             self._deliver(replace(message, peer=message.peer if not message.number else ""))
 
     def faults_changed(self) -> None:
@@ -42,14 +42,14 @@ class Arrivals:
         lasting = self.live.faults.of(Channel.SOCKET)
         known = {one.number for one in lasting}
         self._used = Counter({key: used for key, used in self._used.items() if key in known})
-        if any(one.fault.kind is FaultKind.DROP and not one.fault.count for one in lasting):
+        if any(one.fault.kind is FailureKind.DROP and not one.fault.count for one in lasting):
             for number in self.live.external_streams.numbers:
                 self._close(number)
             self.live.wake_programs()
 
-    def _acting(self) -> dict[FaultKind, Fault]:
+    def _acting(self) -> dict[FailureKind, Fault]:
         """Return the faults that act on the next input, by kind."""
-        acting = dict[FaultKind, Fault]()
+        acting = dict[FailureKind, Fault]()
         for one in self.live.faults.of(Channel.SOCKET):
             if one.fault.count is None or self._used[one.number] < one.fault.count:
                 self._used[one.number] += 1
