@@ -27,7 +27,10 @@ def test_it_says_where_it_listens_and_ends_when_told(
     journal = tmp_path / "a.jsonl"
     (tmp_path / "users.txt").write_text("Somebody:secret\n\n")
     options = ("--journal", journal, "--ramdisk", tmp_path / "ram", "--lock-step", "--robotware", 6)
+    (ready := tmp_path / "ready.json").write_text("of an earlier server")
+    options = (*options, "--ready-file", ready)
     served = controller(tmp_path / "job.mod", *options, "--user-file", tmp_path / "users.txt")
+    assert json.loads(ready.read_text())["rws1"] == served.rws1
     assert served.ramdisk == tmp_path / "ram"
     assert served.home.parent == tmp_path
     with pytest.raises(urllib.error.HTTPError) as refused:
@@ -46,7 +49,7 @@ def test_it_says_where_it_listens_and_ends_when_told(
         urllib.request.urlopen(f"{served.rws1}/rw/system", timeout=60)
     served.fail("general_stop", for_=3.0)
     served.end_faults()
-    assert served.end() == 0
+    assert (served.end(), ready.exists()) == (0, False)
     assert "General stop open" in served.errors
     lines = journal.read_text().splitlines()
     kinds = [json.loads(line)["what"].get("kind", "request") for line in lines]

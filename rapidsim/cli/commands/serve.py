@@ -5,7 +5,8 @@ from __future__ import annotations
 import json
 import os
 import sys
-from contextlib import redirect_stdout
+from collections.abc import Iterator
+from contextlib import contextmanager, redirect_stdout, suppress
 from functools import partial
 from math import inf
 from pathlib import Path
@@ -26,6 +27,7 @@ from rapidsim.diagnostics import Diagnostic
 from rapidsim.extras import require
 from rapidsim.files import InputError, input_bytes
 from rapidsim.jobs.inputs.run_request import DEFAULT_ENTRY, RunRequest
+from rapidsim.output_files import whole_file
 from rapidsim.values import value_class
 
 if TYPE_CHECKING:
@@ -181,6 +183,11 @@ class ServeOptions:
         help="Record while the server runs; the file appears at the end.",
     )
     view: bool = option("--view", is_flag=True, help="Show the recording live.")
+    ready_file: str | None = option(
+        "--ready-file",
+        metavar="FILE",
+        help="Write the first line to a file, too, which exists while the server listens.",
+    )
     faults_port: int | None = option(
         "--faults-port",
         metavar="N",
@@ -236,6 +243,8 @@ def serve(options: ServeOptions) -> int:
         _print_rejected(request, rejected.diagnostics)
         return ExitCode.FINDINGS
 
+    ready_file = None if options.ready_file is None else Path(options.ready_file)
+
     def ready(addresses: Addresses) -> None:
         line = {
             "ready": True,
@@ -252,11 +261,28 @@ def serve(options: ServeOptions) -> int:
         if engine.ready.debug is not None:
             line["debug"] = engine.ready.debug
         echo(json.dumps(line))
+        if ready_file is not None:
+            with whole_file(ready_file) as part:
+                part.write_text(json.dumps(line) + "\n", encoding="utf-8")
 
-    ended = serve_engine(engine, server_settings, ready, lambda text: echo(text, err=True))
+    with _removed(ready_file):
+        ended = serve_engine(engine, server_settings, ready, lambda text: echo(text, err=True))
     if not ended:
         echo("error: the controller's process has ended; please report this", err=True)
     return ExitCode.CLEAN if ended else ExitCode.DEFECT
+
+
+@contextmanager
+def _removed(file: Path | None) -> Iterator[None]:
+    """Remove a file before the body of the context, and what the body has written after it."""
+    remove = (lambda: None) if file is None else partial(file.unlink, missing_ok=True)
+    with suppress(OSError):
+        remove()
+    try:
+        yield
+    finally:
+        with suppress(OSError):
+            remove()
 
 
 def _require_consistent(options: ServeOptions, ports: tuple[int | None, int | None]) -> None:
