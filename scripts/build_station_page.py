@@ -58,6 +58,7 @@ from rapidsim.station.robot import RobotTable
 from rapidsim.station.searches import SearchTable
 from rapidsim.station.signals import SignalEntry
 from rapidsim.station.sockets import PeerTable
+from rapidsim.station.task_kind import TaskEvent
 from rapidsim.station.tasks import TaskTable
 
 PAGE = Path(__file__).parents[1] / "docs" / "station_keys.md"
@@ -128,6 +129,7 @@ PHRASES: Mapping[Any, str] = {
     tuple[tuple[str, tuple[str, ...]], ...]: "table: pattern to list of texts",
     Mapping[str, float]: "table: signal to value",
     Mapping[str, float | bool | str]: "table: name to value",
+    tuple[tuple[TaskEvent, str], ...]: f"table: {', '.join(TaskEvent)} to name of a routine",
     Mapping[str, Any]: "[message queue](#message-queue)",
 }
 UNITS = {"_mm_s": "mm/s", "_mm": "mm", "_kg": "kg", "_s": "s"}

@@ -28,8 +28,8 @@ def test_it_says_where_it_listens_and_ends_when_told(
     (tmp_path / "users.txt").write_text("Somebody:secret\n\n")
     options = ("--journal", journal, "--ramdisk", tmp_path / "ram", "--lock-step", "--robotware", 6)
     (ready := tmp_path / "ready.json").write_text("of an earlier server")
-    options = (*options, "--ready-file", ready)
-    served = controller(tmp_path / "job.mod", *options, "--user-file", tmp_path / "users.txt")
+    users = ("--user-file", tmp_path / "users.txt")
+    served = controller(tmp_path / "job.mod", *options, *users, "--ready-file", ready)
     assert json.loads(ready.read_text())["rws1"] == served.rws1
     assert served.ramdisk == tmp_path / "ram"
     assert served.home.parent == tmp_path

@@ -193,8 +193,8 @@ def test_the_steps_of_the_recipe_serve_a_client(
     for one in (line[1:] for line in lines if line.startswith("!")):
         (shutil.copytree if (ROOT / one).is_dir() else shutil.copy)(ROOT / one, Path("src", one))
     for pattern in (line for line in lines[1:] if line[:1] not in ("!", "#")):
-        for one in Path("src").glob(pattern):
-            shutil.rmtree(one)
+        for folder in Path("src").glob(pattern):
+            shutil.rmtree(folder)
     (install,) = (rest for word, rest in steps() if word == "RUN" and "-m venv" in rest)
     install = install.replace("/opt/rapidsim", f"{tmp_path}/opt").replace("/src", f"{tmp_path}/src")
     subprocess.run(["sh", "-e", "-c", install.replace("python3", sys.executable, 1)], check=True)

@@ -7,11 +7,13 @@ from rapidsim.controller.cell.description import CellIo, SignalDeclaration, Sign
 from rapidsim.simulation.live.panel import NEXT, PanelEvent
 from rapidsim.simulation.live.states import (
     ControllerState,
+    Cycle,
     Motors,
     OperatingMode,
     RequestRefused,
     SafetyStop,
 )
+from rapidsim.station.task_kind import TaskEvent
 
 OUTPUTS = {
     "doChain": Status.RUN_CHAIN_OK,
@@ -110,6 +112,49 @@ def test_a_program_hears_of_a_stop_by_an_interrupt() -> None:
     live.controller.panel.open_chain(SafetyStop.GENERAL)
     live.after(0.1)
     assert live.value("n", "T_BACK") == "1"
+
+
+def test_event_routines_are_called_at_starts_and_stops() -> None:
+    routines = {
+        TaskEvent.START: "opened",
+        TaskEvent.STOP: "paused",
+        TaskEvent.QUICK_STOP: "alarmed",
+        TaskEvent.RESTART: "resumed",
+    }
+    more = "\n".join(
+        f'PROC {name}()\nWaitTime 0.2;\nsaid := said + "{name[0]}";\nENDPROC'
+        for name in routines.values()
+    )
+    body = "MoveAbsJ [[30,0,0,0,30,0],[9E9,9E9,9E9,9E9,9E9,9E9]], v50, fine, tool0;"
+    live = Live(
+        module(body, 'PERS string said := "";', more),
+        io=IO,
+        events=((TaskEvent.STOP, "lacking"), *routines.items()),
+    )
+    panel, controller = live.controller.panel, live.controller
+    controller.start(Cycle.ONCE)
+    live.after(1.0)
+    controller.stop()
+    # It executes until the routine has ended.
+    assert (controller.executes, live.value("said")) == (True, '"o"')
+    live.after(1.0)
+    assert (controller.executes, live.value("said")) == (False, '"op"')
+    stood_at = live.axis_1()
+    controller.start()
+    live.after(1.0)
+    assert live.axis_1() > stood_at
+    panel.open_chain(SafetyStop.EMERGENCY)
+    live.after(1.0)
+    assert live.value("said") == '"opra"'
+    panel.close_chain(SafetyStop.EMERGENCY)
+    panel.set_motors(Motors.ON)
+    controller.start()
+    live.after(60.0)
+    # The end of main is no stop, and a start behind it no restart.
+    assert (controller.executes, live.value("said")) == (False, '"oprar"')
+    controller.start()
+    live.after(60.0)
+    assert live.value("said") == '"opraro"'
 
 
 def test_motors_on_and_emergency_stop_are_reached_from_every_state() -> None:

@@ -275,14 +275,16 @@ def serve(options: ServeOptions) -> int:
 @contextmanager
 def _removed(file: Path | None) -> Iterator[None]:
     """Remove a file before the body of the context, and what the body has written after it."""
-    remove = (lambda: None) if file is None else partial(file.unlink, missing_ok=True)
-    with suppress(OSError):
-        remove()
+    files = () if file is None else (file,)
+    for one in files:
+        with suppress(OSError):
+            one.unlink()
     try:
         yield
     finally:
-        with suppress(OSError):
-            remove()
+        for one in files:
+            with suppress(OSError):
+                one.unlink()
 
 
 def _require_consistent(options: ServeOptions, ports: tuple[int | None, int | None]) -> None:

@@ -292,7 +292,7 @@ class LiveController:
             self._ends_with_cycle = True
             return
         on_path = how is not StopMode.INSTRUCTION
-        self._stop_tasks("", on_path=on_path)
+        self._stop_tasks("", on_path=on_path, is_quick=how is StopMode.QUICK)
         self.settle()
         self._show_states()
 
@@ -439,10 +439,10 @@ class LiveController:
         self.stopped_by = reason
         self._stop_tasks(f" by {reason}", on_path=True)
 
-    def _stop_tasks(self, by: str, *, on_path: bool) -> None:
+    def _stop_tasks(self, by: str, *, on_path: bool, is_quick: bool = False) -> None:
         for task in self.normal_tasks:
             if task.executes:
-                task.stop(on_path=on_path)
+                task.stop(on_path=on_path, is_quick=is_quick)
                 text = f"{task.name} has been stopped{by}."
                 self.log.operational(event_log.STOPPED, self.now_s, text, task.name)
 
