@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import asyncio
+import contextlib
+import random
 from pathlib import Path
 from typing import Any
 
@@ -12,6 +14,7 @@ from served_controller import Served, serve
 
 from rapidsim.interpreter.limits import RUNNING_DEPTH, recursion_limit
 from rapidsim.jobs.inputs.run_request import RunRequest
+from rapidsim.server.engine import Engine
 from rapidsim.server.http.fault_port import open_fault_port
 from rapidsim.server.journal import read_journal
 from rapidsim.server.link import DirectLink
@@ -51,12 +54,12 @@ def failing(folder: Path, use: Any) -> None:
     (folder / "home").mkdir()
     made = ready(RunRequest(paths=(str(cell),), home=str(folder / "home")))
 
-    async def used(served: Served) -> None:
+    async def used(served: Served) -> Engine:
         await use(served)
-        served.engine.switch_off()
+        return served.engine
 
     with recursion_limit(RUNNING_DEPTH):
-        serve(folder, None, used, journal=lines.append)
+        serve(folder, None, used, journal=lines.append).switch_off()
     told: list[str] = []
     for one in (folder / "home").iterdir():
         one.unlink()
@@ -93,15 +96,22 @@ def test_an_emergency_stop_is_reset_by_a_client_and_by_inputs(tmp_path: Path) ->
             await push(served, name)
             assert await state(served) == shown
         assert await served.executes()
-        await served.fail(kind="guard_stop", for_=0.2)
+        form = {"resources": "1", "1": "/rw/panel/ctrlstate", "1-p": "1"}
+        async with served.client.post(f"{served.base}/subscription", data=form) as response:
+            link = response.headers["Location"]
+        socket = await served.client.ws_connect(link, protocols=("robapi2_subscription",))
+        assert "motoron" in await socket.receive_str(timeout=20)
+        await served.fail(kind="general_stop", for_=0.2)
+        await served.fail(kind="guard_stop", for_=0.1)
         assert await state(served) == "guardstop"
+        assert "guardstop" in await socket.receive_str(timeout=20)
         for _ in range(5):
             await served.get(EXECUTION)
         assert await state(served) == "motoroff"
         await served.post(f"{CTRLSTATE}?action=setctrlstate", ctrl_state="motoron")
         await served.post(f"{EXECUTION}?action=start")
         assert await served.executes()
-        assert {"20202", "10013", "20205", "10012"} <= set(await codes(served))
+        assert {"20202", "10013", "20205", "20206", "10012"} <= set(await codes(served))
 
     failing(tmp_path, use)
 
@@ -181,11 +191,16 @@ def test_a_restart_ends_sessions_and_the_controller_is_back_with_motors_off(
         await served.post(f"{CTRLSTATE}?action=setctrlstate", ctrl_state="motoron")
         assert (await served.post(f"{EXECUTION}?action=start"))[0] == 204
         assert "10045" in await codes(served)
+        for _ in range(40):
+            await served.get(EXECUTION)
+        assert await served.value("rounds") != "0"
         # A client gets the answer, then its connection ends.
         assert await served.post("rw/panel?action=restart", restart_mode="pstart") == (204, 0)
         await asyncio.sleep(0.2)
         with pytest.raises(aiohttp.ClientConnectionError):
             await served.get(EXECUTION)
+        await asyncio.sleep(1.0)
+        assert await served.value("rounds") == "0"
 
     failing(tmp_path, use)
 
@@ -202,6 +217,66 @@ def test_uploads_fail_on_a_full_disk_and_entries_of_the_log_are_seen(tmp_path: P
         await served.fail(kind="elog", code=38103, severity="warning", title="Seen", texts=["x"])
         entry = (await served.get("rw/elog/3?lang=en"))[0]
         assert (entry["code"], entry["msgtype"], entry["title"]) == ("38103", "2", "Seen")
+        await served.fail(kind="device_lost", device="board")
+        assert (await codes(served))[0] == "70058"
+        await served.mend()
+        assert (await codes(served))[0] == "70059"
+
+    failing(tmp_path, use)
+
+
+RANDOM_FAULTS: tuple[dict[str, object], ...] = (
+    {"kind": "emergency_stop"},
+    {"kind": "guard_stop", "for_": 0.2},
+    {"kind": "restart", "for_": 0.01},
+    {"kind": "restart", "for_": 0.01, "mode": "cold"},
+    {"kind": "full_disk", "for_": 0.3},
+    {"kind": "device_lost", "device": "board", "for_": 0.2},
+    {"kind": "elog"},
+    *(
+        {"kind": kind, "on": on, "by": 0.01, "count": 2}
+        if kind == "delay"
+        else {"kind": kind, "on": on, "count": 2}
+        for kind in ("drop", "delay", "duplicate", "refuse")
+        for on in ("http", "websocket")
+    ),
+)
+
+
+def test_a_random_session_with_faults_leaves_the_controller_as_it_was(tmp_path: Path) -> None:
+    """A short sample of `benchmarks/soak.py`."""
+    dice = random.Random(5)
+    requests = (
+        (f"{EXECUTION}?action=start", {"cycle": "forever"}),
+        (f"{EXECUTION}?action=stop", {}),
+        (f"{EXECUTION}?action=resetpp", {}),
+        (f"{CTRLSTATE}?action=setctrlstate", {"ctrl_state": "motoron"}),
+        ("rw/iosystem/signals/diReset?action=set", {"lvalue": "1"}),
+        ("rw/iosystem/signals/diReset?action=set", {"lvalue": "0"}),
+        ("rw/rapid/symbol/data/RAPID/T_ROB1/rounds?action=set", {"value": "3"}),
+    )
+
+    async def use(served: Served) -> None:
+        for _ in range(80):
+            if dice.random() < 0.3:
+                assert (await served.fail(**dice.choice(RANDOM_FAULTS)))[0] == 204
+            elif dice.random() < 0.1:
+                assert await served.mend() == 204
+            with contextlib.suppress(aiohttp.ClientError):
+                path, form = dice.choice(requests)
+                await served.post(path, **form)
+            with contextlib.suppress(aiohttp.ClientError):
+                url = f"{served.base}/fileservice/$HOME/a.txt"
+                async with served.client.put(url, data=b"whole") as response:
+                    await response.read()
+        await served.mend()
+        await asyncio.sleep(0.2)
+        for path in (f"{EXECUTION}?action=stop", f"{CTRLSTATE}?action=setctrlstate"):
+            await served.post(path, ctrl_state="motoron")
+        assert (await state(served), await served.executes()) == ("motoron", False)
+        assert not served.engine.live.faults.lasting
+        assert len(served.face.connections) <= 2
+        assert (tmp_path / "home" / "a.txt").read_bytes() == b"whole"
 
     failing(tmp_path, use)
 
