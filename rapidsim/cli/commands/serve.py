@@ -260,10 +260,10 @@ def serve(options: ServeOptions) -> int:
             line["faults"] = addresses.faults
         if engine.ready.debug is not None:
             line["debug"] = engine.ready.debug
-        echo(json.dumps(line))
         if ready_file is not None:
             with whole_file(ready_file) as part:
                 part.write_text(json.dumps(line) + "\n", encoding="utf-8")
+        echo(json.dumps(line))
 
     with _removed(ready_file):
         ended = serve_engine(engine, server_settings, ready, lambda text: echo(text, err=True))
