@@ -43,7 +43,7 @@ class SignalTable:
         Raises:
             RapidError: ERR_NORUNUNIT.
         """
-        if name.lower() in self.lost:
+        if self.lost and name.lower() in self.lost:
             raise rapid_error(ERR_NORUNUNIT, f"the I/O device of `{name}` has no contact")
 
     def is_missing(self, name: str) -> bool:
