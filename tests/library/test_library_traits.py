@@ -173,7 +173,7 @@ ELSEWHERE = {
     "report": {"dim", "distance", "stop"},
     "server": {"type", "Type", "opmode", "stop", "set", "continue", "dim", "clear", "min"},
     "simulation": {"stop"},
-    "station": {"type", "set", "close", "load", "max", "min", "stop"},
+    "station": {"type", "set", "close", "load", "max", "min", "stop", "STOP"},
     "syntax": {"EXP", "open", "close"},
 }
 

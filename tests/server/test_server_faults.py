@@ -234,9 +234,7 @@ RANDOM_FAULTS: tuple[dict[str, object], ...] = (
     {"kind": "device_lost", "device": "board", "for_": 0.2},
     {"kind": "elog"},
     *(
-        {"kind": kind, "on": on, "by": 0.01, "count": 2}
-        if kind == "delay"
-        else {"kind": kind, "on": on, "count": 2}
+        dict[str, object](kind=kind, on=on, count=2, **({"by": 0.01} if kind == "delay" else {}))
         for kind in ("drop", "delay", "duplicate", "refuse")
         for on in ("http", "websocket")
     ),
@@ -246,7 +244,7 @@ RANDOM_FAULTS: tuple[dict[str, object], ...] = (
 def test_a_random_session_with_faults_leaves_the_controller_as_it_was(tmp_path: Path) -> None:
     """A short sample of `benchmarks/soak.py`."""
     dice = random.Random(5)
-    requests = (
+    requests: tuple[tuple[str, dict[str, str]], ...] = (
         (f"{EXECUTION}?action=start", {"cycle": "forever"}),
         (f"{EXECUTION}?action=stop", {}),
         (f"{EXECUTION}?action=resetpp", {}),
