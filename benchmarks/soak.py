@@ -3,7 +3,8 @@
     python benchmarks/soak.py --minutes 60
 
 Random clients of both generations on this computer send garbage, half requests and uploads that
-break off, open more sessions than there are, subscribe and vanish, start and stop programs.
+break off, open more sessions than there are, subscribe and vanish, start and stop programs. One of
+them lets the controller and its connections fail at random, and ends that again.
 Meanwhile this script looks at the memory of the controller's processes, at what it says on standard
 error, and at whether each file that was uploaded is one of those that somebody sent whole. At the
 end it is killed in the midst of uploads, and the files must still be whole. It ends with 1 where
@@ -25,6 +26,7 @@ import sys
 import tempfile
 import time
 from base64 import b64encode
+from collections.abc import Awaitable, Callable
 from pathlib import Path
 
 import aiohttp
@@ -63,8 +65,9 @@ def is_whole(data: bytes) -> bool:
 class Soak:
     """What the clients share."""
 
-    def __init__(self, port: int, second: str, home: Path, until: float) -> None:
-        """Begin; `second` is the address of Robot Web Services 2.0."""
+    def __init__(self, port: int, second: str, faulty: str, home: Path, until: float) -> None:
+        """Begin; `second` is the address of Robot Web Services 2.0, `faulty` that of faults."""
+        self.faulty = faulty
         self.port, self.second, self.home, self.until = port, second, home, until
         self.base = f"http://127.0.0.1:{port}"
         self.counts: dict[str, int] = {}
@@ -84,6 +87,18 @@ class Soak:
         jar = aiohttp.CookieJar(unsafe=True)
         patience = aiohttp.ClientTimeout(total=60)
         return aiohttp.ClientSession(middlewares=(digest,), cookie_jar=jar, timeout=patience)
+
+    async def endured(
+        self, work: Callable[[Soak, random.Random], Awaitable[None]], seed: int
+    ) -> None:
+        """Let a client work, and begin again whenever a fault has cut it off."""
+        dice = random.Random(seed)
+        while self.goes_on():
+            try:
+                await work(self, dice)
+            except (aiohttp.ClientError, OSError, TimeoutError):
+                self.note("cut off")
+                await asyncio.sleep(0.2)
 
     async def asked(
         self, client: aiohttp.ClientSession, method: str, path: str, **form: str
@@ -108,6 +123,7 @@ async def worker(soak: Soak, dice: random.Random) -> None:
                     ("POST", "rw/rapid/execution?action=resetpp", {}),
                     ("POST", "rw/iosystem/signals/diGo?action=set", {"lvalue": dice.choice("01")}),
                     ("POST", "rw/rapid/symbol/data/RAPID/T_ROB1/rounds?action=set", {"value": "1"}),
+                    ("POST", "rw/panel/ctrlstate?action=setctrlstate", {"ctrl-state": "motoron"}),
                     ("POST", "rw/panel/ctrlstate?action=setctrlstate", {"ctrl-state": "motoron"}),
                     ("GET", "rw/motionsystem/mechunits/ROB_1/jointtarget?json=1", {}),
                     ("GET", "rw/elog/0?lang=en&json=1", {}),
@@ -249,6 +265,39 @@ async def modern(soak: Soak, dice: random.Random) -> None:
         await asyncio.sleep(dice.uniform(0.1, 0.5))
 
 
+FAULTS: tuple[dict[str, object], ...] = (
+    {"kind": "emergency_stop"},
+    {"kind": "guard_stop", "for": 0.5},
+    {"kind": "general_stop", "for": 0.5},
+    {"kind": "restart", "for": 0.3},
+    {"kind": "restart", "mode": "cold", "for": 0.1},
+    {"kind": "full_disk", "for": 1},
+    {"kind": "device_lost", "device": "board", "for": 1},
+    {"kind": "elog", "code": 38103, "severity": "warning"},
+    *(
+        {"kind": kind, "on": on, "count": 5}
+        for kind in ("drop", "delay", "duplicate", "refuse")
+        for on in ("http", "websocket", "egm", "socket")
+    ),
+    {"kind": "none"},
+)
+
+
+async def saboteur(soak: Soak, dice: random.Random) -> None:
+    """Makes it fail, and ends that."""
+    async with aiohttp.ClientSession() as client:
+        while soak.goes_on():
+            for _ in range(dice.randrange(1, 5)):
+                fault = dice.choice(FAULTS)
+                async with client.post(f"{soak.faulty}/faults", json=fault) as response:
+                    soak.note(f"fault {response.status}")
+                    if response.status != (400 if fault["kind"] == "none" else 204):
+                        soak.faults.append(f"{fault}: {await response.text()}")
+                await asyncio.sleep(dice.uniform(0.0, 0.5))
+            await client.delete(f"{soak.faulty}/faults")
+            await asyncio.sleep(dice.uniform(0.5, 3.0))
+
+
 def memory_mb(pid: int) -> list[float]:
     """Resident memory of a process and its children, the greatest first."""
     found = []
@@ -281,6 +330,7 @@ async def soaked(folder: Path, minutes: float, speed: str, seed: int) -> list[st
     process = await asyncio.create_subprocess_exec(
         *(sys.executable, "-m", "rapidsim", "serve", str(folder / "cell"), "--home", str(home)),
         *("--rws1-port", "0", "--rws2-port", "0", "--speed", speed, "--session-timeout", "20"),
+        *("--faults-port", "0"),
         *("--journal", str(folder / "journal.jsonl")),
         env=os.environ | {"XDG_STATE_HOME": str(folder / "state")},
         stdout=asyncio.subprocess.PIPE,
@@ -289,10 +339,11 @@ async def soaked(folder: Path, minutes: float, speed: str, seed: int) -> list[st
     assert process.stdout is not None
     ready = json.loads(await process.stdout.readline())
     until = time.monotonic() + 60.0 * minutes
-    soak = Soak(int(ready["rws1"].rpartition(":")[2]), ready["rws2"], home, until)
+    port = int(ready["rws1"].rpartition(":")[2])
+    soak = Soak(port, ready["rws2"], ready["faults"], home, until)
     workers = [
-        one(soak, random.Random(seed + k))
-        for k, one in enumerate((worker, babbler, crowd, uploader, modern))
+        soak.endured(one, seed + k)
+        for k, one in enumerate((worker, babbler, crowd, uploader, modern, saboteur))
     ]
     results = await asyncio.gather(*workers, watch(soak, ready["pid"]), return_exceptions=True)
     faults = soak.faults + [repr(one) for one in results if isinstance(one, BaseException)]

@@ -109,6 +109,8 @@ class ServedController:
         """Address of Robot Web Services 1.0: `http://127.0.0.1:PORT`."""
         self.rws2: str | None = ready["rws2"]
         """Address of Robot Web Services 2.0; needs `--rws2-port 0`."""
+        self.faults: str = ready["faults"]
+        """Address at which faults begin and end."""
         self.debug: str | None = ready.get("debug")
         """Address at which a debugger attaches: `127.0.0.1:PORT`; needs `--debug 0`."""
         self.home = Path(ready["home"])
@@ -120,6 +122,34 @@ class ServedController:
     def errors(self) -> str:
         """The error output so far: errors of programs, notes."""
         return self._log.read_text(encoding="utf-8")
+
+    def fail(self, kind: str, **keys: object) -> None:
+        """Let it fail now, or when the keys say: `fail("drop", on="http", count=2, for_=3.0)`.
+
+        The keys are those of [[fault]] in a station file, `for_` stands for `for`.
+
+        Raises:
+            ValueError: If they are no fault; the message is the controller's.
+        """
+        fault = {"kind": kind, **{name.rstrip("_"): value for name, value in keys.items()}}
+        self._request("POST", json.dumps(fault).encode())
+
+    def end_faults(self) -> None:
+        """End the faults that last: an emergency stop is released, connections work again."""
+        self._request("DELETE", None)
+
+    def _request(self, method: str, body: bytes | None) -> None:
+        from http.client import HTTPConnection
+
+        connection = HTTPConnection(self.faults.rpartition("/")[2], timeout=_PATIENCE_S)
+        try:
+            connection.request(method, "/faults", body)
+            response = connection.getresponse()
+            text = response.read().decode().strip()
+        finally:
+            connection.close()
+        if response.status >= 400:
+            raise ValueError(text)
 
     def end(self) -> int:
         """End it, so that its journal is whole; its exit code."""
@@ -151,6 +181,7 @@ def controller(
         home = tmp_path / name
         home.mkdir()
         own = ["--rws1-port", "0", "--rws2-port", "off", "--home", str(home)]
+        own += ["--faults-port", "0"]
         given = [str(one) for one in arguments]
         served.append(
             ServedController([*own, *given], request.path.parent, tmp_path / f"{name}.log")

@@ -23,6 +23,7 @@ from rapidsim.controller.cell.description import (
     Gripper,
     Stimulus,
 )
+from rapidsim.controller.cell.faults import Fault
 from rapidsim.controller.cell.message_queues import QueueSettings
 from rapidsim.controller.cell.socket_scripts import SocketStep
 from rapidsim.frames.transform import Transform
@@ -57,6 +58,7 @@ from rapidsim.station.robot import RobotTable
 from rapidsim.station.searches import SearchTable
 from rapidsim.station.signals import SignalEntry
 from rapidsim.station.sockets import PeerTable
+from rapidsim.station.task_kind import TaskEvent
 from rapidsim.station.tasks import TaskTable
 
 PAGE = Path(__file__).parents[1] / "docs" / "station_keys.md"
@@ -78,6 +80,7 @@ TABLES: Mapping[str, tuple[str, type]] = {
     "signals": ("[signals]", SignalEntry),
     "cross": ("[[cross]]", CrossConnection),
     "stimulus": ("[[stimulus]]", Stimulus),
+    "fault": ("[[fault]]", Fault),
     "socket": ("[[socket]]", PeerTable),
     "camera": ("[[camera]]", CameraTable),
     "conveyor": ("[[conveyor]]", ConveyorScript),
@@ -126,6 +129,7 @@ PHRASES: Mapping[Any, str] = {
     tuple[tuple[str, tuple[str, ...]], ...]: "table: pattern to list of texts",
     Mapping[str, float]: "table: signal to value",
     Mapping[str, float | bool | str]: "table: name to value",
+    tuple[tuple[TaskEvent, str], ...]: f"table: {', '.join(TaskEvent)} to name of a routine",
     Mapping[str, Any]: "[message queue](#message-queue)",
 }
 UNITS = {"_mm_s": "mm/s", "_mm": "mm", "_kg": "kg", "_s": "s"}

@@ -80,6 +80,11 @@ class TaskEquipment:
         self.clock.synchronise()
         return device.lower() not in self.cell.disabled_devices
 
+    def has_contact(self, device: str) -> bool:
+        """Whether an I/O device has contact."""
+        self.clock.synchronise()
+        return device.lower() not in self.cell.lost_devices
+
     def enable(self, device: str, *, enabled: bool) -> None:
         """Enable or disable an I/O device."""
         self.clock.synchronise()

@@ -11,8 +11,8 @@ Source: Technical reference manual RAPID Instructions, Functions and Data types,
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
-from contextlib import suppress
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager, suppress
 from dataclasses import dataclass
 from typing import ClassVar
 
@@ -34,6 +34,7 @@ class _StopRequest:
     at_s: float
     on_path: bool
     """Whether the robot stops where it is; otherwise it finishes its moves."""
+    is_quick: bool
 
 
 @dataclass(eq=False)
@@ -51,11 +52,17 @@ class TaskExecution:
     """Stops all tasks, for a reason; None if nothing would restart them."""
     resumed: Callable[[], None] | None = None
     """Called when the program continues."""
+    halted: Callable[[bool], None] = lambda is_quick: None
+    """Called in the program's task when it has come to a stop, which may be a quick one."""
+    restarted: Callable[[], None] = lambda: None
+    """Called in the program's task before it continues."""
     stopped: Callable[[], None] | None = None
     """Called after the program and its robot were stopped."""
     is_halted: bool = False
     """Whether the program waits to be started."""
     _stop_request: _StopRequest | None = None
+    _is_stopping: bool = False
+    """Whether the program comes to a stop, or begins to continue."""
 
     def stop(self, reason: str) -> None:
         """Stop all tasks that are executing.
@@ -82,10 +89,10 @@ class TaskExecution:
         if self.stopped is not None:
             self.stopped()
 
-    def request_stop(self, at_s: float, *, on_path: bool) -> None:
+    def request_stop(self, at_s: float, *, on_path: bool, is_quick: bool = False) -> None:
         """Stop at the present time [s], before the next statement."""
-        if not self.is_halted and self._stop_request is None:
-            self._stop_request = _StopRequest(at_s, on_path)
+        if not self.is_halted and self._stop_request is None and not self._is_stopping:
+            self._stop_request = _StopRequest(at_s, on_path, is_quick)
 
     def resume(self) -> None:
         """Let the program continue at its next turn; also cancels a requested stop."""
@@ -100,7 +107,9 @@ class TaskExecution:
         del passed_s, until_s
         assert self._stop_request is not None
         asked, self._stop_request = self._stop_request, None
-        return self.clock.run_handler(asked.at_s, lambda: self._rest(on_path=asked.on_path))
+        return self.clock.run_handler(
+            asked.at_s, lambda: self._rest(on_path=asked.on_path, is_quick=asked.is_quick)
+        )
 
     def advance_to(self, time_s: float) -> None:
         """Do nothing: a stop is requested for the present time."""
@@ -109,7 +118,7 @@ class TaskExecution:
         """Wait until a client starts the program; its robot finishes its moves."""
         self._rest(on_path=False)
 
-    def _rest(self, *, on_path: bool) -> None:
+    def _rest(self, *, on_path: bool, is_quick: bool = False) -> None:
         since_s = self.clock.pointer_s()
         stopped = on_path and not self.unit.queue.is_halted
         stood_s = since_s
@@ -120,13 +129,27 @@ class TaskExecution:
         self.processes.stop(since_s, stood_s, on_path=stood_s > since_s)
         if self.stopped is not None:
             self.stopped()
+        with self._handling():
+            self.halted(is_quick)
+        since_s = self.clock.pointer_s()
         waited = self.table.waiting()
         self.is_halted, now_s = True, since_s
         while self.is_halted:
             now_s = self.cell.scheduler.request_advance(self.clock, math.inf)
         self.clock.set(max(since_s, now_s))
         self.table.discard_while_stopped(waited, since_s, now_s)
+        with self._handling():
+            self.restarted()
         if self.resumed is not None:
             self.resumed()
         if stopped and self.unit.queue.is_halted:
-            self.unit.resume(now_s)
+            self.unit.resume(self.clock.pointer_s())
+
+    @contextmanager
+    def _handling(self) -> Iterator[None]:
+        """Let no further stop begin meanwhile."""
+        self._is_stopping = True
+        try:
+            yield
+        finally:
+            self._is_stopping = False

@@ -40,10 +40,15 @@ class TaskSignals:
     """Whether the last condition has read the time."""
 
     def read_signal(self, name: str) -> float:
-        """The value of a signal now."""
+        """The value of a signal now.
+
+        Raises:
+            RapidError: ERR_NORUNUNIT if its device has no contact.
+        """
         self.clock.synchronise()
         if self._looked_at is not None:
             self._looked_at[name] = None
+        self.cell.signals.require_contact(name)
         return self.cell.signals.read(name)
 
     def write_signal(self, name: str, value: float, *, delay_s: float = 0.0) -> None:
@@ -87,9 +92,11 @@ class TaskSignals:
 
         Raises:
             Stopped: When no known event can ever satisfy it.
+            RapidError: ERR_NORUNUNIT if its device has no contact.
         """
         self.clock.note_line()
         now_s = self.clock.synchronise()
+        self.cell.signals.require_contact(name)
         deadline_s = math.inf if max_time is None else now_s + max_time
         with self.clock.waiting(self._awaited(name)) as wait:
             while not condition(self.cell.signals.read(name)):

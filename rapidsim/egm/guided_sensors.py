@@ -8,11 +8,13 @@ from dataclasses import dataclass, field
 from multiprocessing.connection import Connection
 from typing import Final
 
+from rapidsim.controller.cell.faults import LastingFault
 from rapidsim.controller.cell.sensors import FeedbackSchedule
 from rapidsim.egm.devices import SensorDevices
 from rapidsim.egm.sensor_loop import (
     CloseSensor,
     EndGuidance,
+    FailSensors,
     OpenSensor,
     Order,
     SendData,
@@ -50,6 +52,10 @@ class GuidedSensors:
         self._replies[self._last] = []
         self.send(self._last, OpenSensor(address, self.began_s, self.speed, self.devices.any_port))
         return GuidedSensor(self, self._last)
+
+    def fail(self, faults: tuple[LastingFault, ...]) -> None:
+        """See `GuidanceSensors`."""
+        self.send(0, FailSensors(faults))
 
     def close(self) -> None:
         """See `GuidanceSensors`."""

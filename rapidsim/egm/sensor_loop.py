@@ -19,6 +19,7 @@ from threading import Thread
 from time import monotonic
 from typing import Final, TypeAlias
 
+from rapidsim.controller.cell.faults import LastingFault
 from rapidsim.controller.cell.sensors import FeedbackSchedule
 from rapidsim.egm.devices import Address
 from rapidsim.egm.udp import Ports, SensorSocket
@@ -105,6 +106,13 @@ class CloseSensor:
     """Order to disconnect from a sensor."""
 
 
+@value_class(frozen=True, slots=True)
+class FailSensors:
+    """Order to let the datagrams of all sensors fail."""
+
+    faults: tuple[LastingFault, ...]
+
+
 Order: TypeAlias = (
     OpenSensor
     | StartGuidance
@@ -114,6 +122,7 @@ Order: TypeAlias = (
     | StreamFeedback
     | SendData
     | CloseSensor
+    | FailSensors
 )
 
 
@@ -299,7 +308,9 @@ def _pass(
             one.socket.receive()
     while connection.poll():
         number, order = connection.recv()
-        if isinstance(order, OpenSensor):
+        if isinstance(order, FailSensors):
+            ports.faults.begin(order.faults)
+        elif isinstance(order, OpenSensor):
             to = ports.to(order.address, any_port=order.any_port)
             sessions[number] = _SensorSession(number, order, to)
         elif number in sessions:

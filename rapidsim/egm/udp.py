@@ -9,12 +9,14 @@ import select
 import socket
 from collections.abc import Collection, Sequence
 from contextlib import suppress
-from dataclasses import dataclass, field
+from dataclasses import InitVar, dataclass, field
 from time import monotonic
 from typing import Final
 
+from rapidsim.controller.cell.faults import LastingFault
 from rapidsim.controller.cell.sensors import FeedbackSchedule, SilentSensor
 from rapidsim.egm.codec import DecodeError
+from rapidsim.egm.datagram_faults import DatagramFaults, DatagramLine
 from rapidsim.egm.devices import Address, SensorDevices
 from rapidsim.egm.frames import robot_datagram, sensor_answer
 from rapidsim.motion.guidance.feedback import Feedback
@@ -34,6 +36,7 @@ class Ports:
     A sensor that remembers the previous program's address still reaches the same port.
     """
 
+    faults: DatagramFaults = field(default_factory=DatagramFaults)
     _streams: dict[Address, socket.socket] = field(default_factory=dict)
 
     def to(self, address: Address, *, any_port: bool = False) -> SensorSocket:
@@ -49,8 +52,8 @@ class Ports:
             stream.setblocking(False)
             local = address.host in ("127.0.0.1", "localhost")
             stream.bind(("127.0.0.1" if local else "", 0))
-        SensorSocket(_numeric(address), self._streams[address]).receive()
-        return SensorSocket(_numeric(address), self._streams[address], any_port)
+        SensorSocket(_numeric(address), self._streams[address], self.faults).receive()
+        return SensorSocket(_numeric(address), self._streams[address], self.faults, any_port)
 
     def close(self) -> None:
         """Close all ports."""
@@ -66,6 +69,7 @@ class SensorSocket:
     address: Address
     """Its numeric host, as in incoming datagrams."""
     stream: socket.socket
+    faults: InitVar[DatagramFaults]
     any_port: bool = False
     """Whether answers from any port of the host count."""
     dropped: int = 0
@@ -75,11 +79,23 @@ class SensorSocket:
     _number: int = 0
     _answer: SensorAnswer | None = None
     _has_guided: bool = False
+    _time_s: float = 0.0
+    """Time [s] of the last feedback."""
+    _out: DatagramLine[bytes] = field(init=False)
+    _in: DatagramLine[SensorAnswer] = field(init=False)
+
+    def __post_init__(self, faults: DatagramFaults) -> None:
+        """Connect both directions with the faults."""
+        self._out = DatagramLine(faults, is_outgoing=True)
+        self._in = DatagramLine(faults, is_outgoing=False)
 
     def send(self, feedback: Feedback) -> None:
         """Send the robot's position to the sensor; delivery is not confirmed."""
-        with suppress(OSError):
-            self.stream.sendto(robot_datagram(self._number, feedback), self.address)
+        self._time_s = feedback.time_s
+        data = robot_datagram(self._number, feedback)
+        for one in self._out.passed(data, self._time_s):
+            with suppress(OSError):
+                self.stream.sendto(one, self.address)
         self._number += 1
 
     def receive(self) -> int:
@@ -98,14 +114,21 @@ class SensorSocket:
                 self.dropped += 1
                 continue
             try:
-                self._answer = sensor_answer(data)
-                answers += 1
+                answer = sensor_answer(data)
             except DecodeError:
                 self.dropped += 1
                 continue
             if not self.any_port:
                 self._port = sender[1]
+            answers += 1
+            self._keep(answer)
+        self._keep(None)
         return answers
+
+    def _keep(self, answer: SensorAnswer | None) -> None:
+        """Keep the last answer that passes, of a new one and of those that are delayed."""
+        for one in self._in.passed(answer, self._time_s):
+            self._answer = one
 
     def take(self) -> SensorAnswer | None:
         """The last answer, returned once."""
@@ -193,6 +216,10 @@ class PacedSensors:
     waits_full: bool = True
     _ports: Ports = field(default_factory=Ports)
 
+    def fail(self, faults: tuple[LastingFault, ...]) -> None:
+        """See `GuidanceSensors`."""
+        self._ports.faults.begin(faults)
+
     def open(self, device: str) -> PacedSensor:
         """See `GuidanceSensors`."""
         address = self.devices.address(device)
@@ -249,6 +276,10 @@ class StepSensors:
     devices: SensorDevices
     _open: list[StepSensor] = field(default_factory=list)
     _ports: Ports = field(default_factory=Ports)
+
+    def fail(self, faults: tuple[LastingFault, ...]) -> None:
+        """See `GuidanceSensors`."""
+        self._ports.faults.begin(faults)
 
     def open(self, device: str) -> StepSensor:
         """See `GuidanceSensors`."""

@@ -258,6 +258,10 @@ class Equipment(Protocol):
         """Whether an I/O device is enabled; names ignore case."""
         ...
 
+    def has_contact(self, device: str) -> bool:
+        """Whether an I/O device has contact; names ignore case."""
+        ...
+
     def enable(self, device: str, *, enabled: bool) -> None:
         """Enable or disable an I/O device."""
         ...

@@ -49,8 +49,10 @@ def io_disable(controller: Equipment, unit_name: String, max_time: Num) -> None:
 def io_unit_state(
     controller: Equipment, unit_name: String, *, phys: Switch = False, logic: Switch = False
 ) -> IoUnitStateNum:
-    """The state of an I/O device: running, unless the program has disabled it."""
+    """The state of an I/O device: running, unless it has no contact or the program disabled it."""
     runs = controller.is_enabled(unit_name)
+    if runs and not logic and not controller.has_contact(unit_name):
+        return _named("IOUNIT_PHYS_STATE_ERROR" if phys else "IOUNIT_RUNERROR")
     if phys:
         return _named("IOUNIT_PHYS_STATE_RUNNING" if runs else "IOUNIT_PHYS_STATE_DEACTIVATED")
     if logic:

@@ -12,6 +12,7 @@ from dataclasses import dataclass, field, replace
 from time import monotonic
 from typing import Final, Protocol
 
+from rapidsim.controller.cell.faults import Channel, Fault
 from rapidsim.controller.journal.events import Event
 from rapidsim.diagnostics import Diagnostic, Severity
 from rapidsim.motion.guidance.sensor import SensorAnswer
@@ -25,9 +26,11 @@ from rapidsim.server.journal import (
     switched_on_line,
 )
 from rapidsim.server.messages import (
-    DATAGRAM,
     DONE,
+    BeginFault,
+    ConnectionFaults,
     ConsoleLine,
+    EndFaults,
     ErrorAnswer,
     FromNetwork,
     Inquiry,
@@ -36,11 +39,14 @@ from rapidsim.server.messages import (
     RefusedRequest,
     Reply,
     Request,
+    Restarted,
     SessionEnded,
     Subscribe,
     Unsubscribe,
 )
+from rapidsim.server.network_inputs import NetworkInputs
 from rapidsim.server.resources.context import RequestContext
+from rapidsim.server.resources.faults import begin_fault
 from rapidsim.server.resources.operator_view import looked
 from rapidsim.server.resources.table import answered
 from rapidsim.server.sensors import RecordingSensors
@@ -49,7 +55,10 @@ from rapidsim.server.versions import ServedVersion, served_versions
 from rapidsim.server.wire import RecordingWire
 from rapidsim.simulation.live.controller import LiveController
 from rapidsim.simulation.live.event_log import LogEntry
+from rapidsim.simulation.live.states import Motors
 
+RESTART_S: Final = 1.0
+"""Real time [s] for which a restarting controller cannot be reached, unless a fault says more."""
 _LAG_S: Final = 0.5
 """Lag [s] of virtual time behind the wall clock that is reported first; then each doubling is."""
 
@@ -217,6 +226,7 @@ class Engine:
     """Observer that shows the run; None if nothing is recorded."""
     context: RequestContext = field(init=False)
     subscriptions: Subscriptions = field(init=False)
+    _inputs: NetworkInputs = field(init=False)
     _lag_reported_s: float = _LAG_S
     _deferred_lines: list[str] | None = None
     """Journal lines of a request's effects, which follow its own line."""
@@ -226,10 +236,14 @@ class Engine:
         self.context = RequestContext(self.live, self.versions)
         is_paced = not isinstance(self.pace, LockStep)
         self.subscriptions = Subscriptions(self.context, self.notify, is_paced)
+        self._inputs = NetworkInputs(self.live)
+        self.live.faults.changed = self._faults_changed
+        self.live.faults.restarted = self._restarted
         self.live.on_log_entry = self._logged
         self.live.on_finding = self._print_finding
         major = self.versions[2].robotware.major
-        self._note(lambda: switched_on_line(self.live.motors, self.live.mode, major))
+        motors, mode = Motors(self.live.panel.state), self.live.panel.mode
+        self._note(lambda: switched_on_line(motors, mode, major))
         if self.journal is not None:
             self._listen()
             if isinstance(self.live.wire, RecordingWire):
@@ -320,20 +334,25 @@ class Engine:
                 self.subscriptions.begin(message)
             case Unsubscribe(group):
                 self.subscriptions.end(group)
-            case FromNetwork(number, port, peer, data, is_over):
-                outside, now_s = self.live.external_streams, self.live.now_s
-                if number == DATAGRAM:
-                    self.live.mailboxes.arrived(port, peer, data)
-                    self.live.wake_programs()
-                    return DONE
-                if peer:
-                    outside.came(number, port, peer, now_s)
-                if data:
-                    outside.arrived(number, data, now_s)
-                if is_over:
-                    outside.ended(number, now_s)
-                self.live.wake_programs()
+            case FromNetwork():
+                self._inputs.receive(message)
+            case BeginFault(values):
+                begin_fault(self.live, values)
+            case EndFaults():
+                self.live.faults.end_all()
+                self.live.settle()
         return DONE
+
+    def _faults_changed(self) -> None:
+        """Let connections fail, or no longer."""
+        faults = self.live.faults
+        self._inputs.faults_changed()
+        self.live.sensors.fail(faults.of(Channel.EGM))
+        for_clients = faults.of(Channel.HTTP) + faults.of(Channel.WEBSOCKET)
+        self.notify(ConnectionFaults(for_clients))
+
+    def _restarted(self, fault: Fault) -> None:
+        self.notify(Restarted(fault.for_s or RESTART_S))
 
     def _catch_up(self) -> None:
         """Advance to the time at which a request takes effect.

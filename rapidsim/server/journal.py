@@ -23,6 +23,8 @@ from rapidsim.language.errors import RapidError
 from rapidsim.motion.guidance.sensor import SensorAnswer
 from rapidsim.server.messages import (
     NETWORK,
+    BeginFault,
+    EndFaults,
     ErrorAnswer,
     FromNetwork,
     Message,
@@ -232,6 +234,8 @@ def _code(reply: Reply) -> dict[str, object]:
 _KINDS: Mapping[str, type[Message]] = MappingProxyType(
     {
         "connection": FromNetwork,
+        "fault": BeginFault,
+        "end_faults": EndFaults,
         "end_of_session": SessionEnded,
         "subscribe": Subscribe,
         "unsubscribe": Unsubscribe,

@@ -11,6 +11,7 @@ from dataclasses import field
 from types import MappingProxyType
 from typing import Annotated, ClassVar, Final, TypeAlias
 
+from rapidsim.controller.cell.faults import LastingFault
 from rapidsim.json_records.declarations import Key, ValueForm
 from rapidsim.values import value_class
 
@@ -155,7 +156,23 @@ class ReadState:
     query: Fields = field(default_factory=dict)
 
 
-Message: TypeAlias = Request | SessionEnded | Subscribe | Unsubscribe | FromNetwork
+@value_class(frozen=True, slots=True)
+class BeginFault:
+    """Make something fail: keys and values as in a table [[fault]], where a time may lack."""
+
+    fault: Mapping[str, object]
+
+
+@value_class(frozen=True, slots=True)
+class EndFaults:
+    """End the faults that last."""
+
+    end_faults: bool = True
+
+
+Message: TypeAlias = (
+    Request | SessionEnded | Subscribe | Unsubscribe | FromNetwork | BeginFault | EndFaults
+)
 """Messages that affect the controller: its journal records them all."""
 Inquiry: TypeAlias = Message | ReadState
 """All messages that the engine answers."""
@@ -179,4 +196,19 @@ class ConsoleLine:
     text: str
 
 
-Notification: TypeAlias = ChangeEvent | ConsoleLine
+@value_class(frozen=True, slots=True)
+class ConnectionFaults:
+    """The faults of connections that last now."""
+
+    faults: tuple[LastingFault, ...]
+
+
+@value_class(frozen=True, slots=True)
+class Restarted:
+    """The controller has restarted: sessions and connections end."""
+
+    down_s: float
+    """Real time [s] for which nobody can connect."""
+
+
+Notification: TypeAlias = ChangeEvent | ConsoleLine | ConnectionFaults | Restarted

@@ -6,6 +6,7 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from itertools import count
 
+from rapidsim.controller.cell.faults import LastingFault
 from rapidsim.controller.cell.sensors import (
     FeedbackSchedule,
     GuidanceSensor,
@@ -30,6 +31,10 @@ class RecordingSensors:
     def open(self, device: str) -> GuidanceSensor:
         """See `GuidanceSensors`."""
         return _RecordingSensor(self, self.sensors.open(device))
+
+    def fail(self, faults: tuple[LastingFault, ...]) -> None:
+        """See `GuidanceSensors`."""
+        self.sensors.fail(faults)
 
     def close(self) -> None:
         """See `GuidanceSensors`."""
@@ -86,6 +91,9 @@ class ReplayedSensors:
         """See `GuidanceSensors`."""
         del device
         return _ReplayedSensor(self)
+
+    def fail(self, faults: tuple[LastingFault, ...]) -> None:
+        """See `GuidanceSensors`: the recorded answers are those that have passed."""
 
     def close(self) -> None:
         """See `GuidanceSensors`."""

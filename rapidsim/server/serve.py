@@ -4,22 +4,20 @@ from __future__ import annotations
 
 import asyncio
 import signal
-import ssl
-from collections.abc import Callable, Mapping
+from collections.abc import Awaitable, Callable, Mapping
 from contextlib import suppress
 from dataclasses import dataclass
 
 from rapidsim.files import InputError
 from rapidsim.server.http.app import HttpFrontend
 from rapidsim.server.http.basic import BasicAuthentication
-from rapidsim.server.http.dialect import Dialect
 from rapidsim.server.http.digest import DigestAuthentication
+from rapidsim.server.http.fault_port import open_fault_port
 from rapidsim.server.http.guard import Guard
 from rapidsim.server.http.open_port import OpenPort, listen
 from rapidsim.server.http.rws1 import Rws1Dialect
 from rapidsim.server.http.rws2 import Rws2Dialect
 from rapidsim.server.memory import give_large_blocks_back
-from rapidsim.server.messages import ConsoleLine, Notification
 from rapidsim.server.process import EngineProcess
 from rapidsim.server.settings import ServerSettings
 from rapidsim.syntax.garbage_collection import gc_for_server
@@ -31,6 +29,8 @@ class Addresses:
 
     rws1: str | None
     rws2: str | None
+    faults: str | None
+    """Port for tests."""
 
 
 def serve(
@@ -77,13 +77,7 @@ async def _serve(
         settings.latencies_s,
     )
 
-    def told(notification: Notification) -> None:
-        if isinstance(notification, ConsoleLine):
-            noted(notification.text)
-        else:
-            face.notify(notification)
-
-    engine.listener = told
+    engine.listener = face.notify
     engine.attach()
     over = asyncio.Event()
     loop = asyncio.get_running_loop()
@@ -96,13 +90,19 @@ async def _serve(
     second = Rws2Dialect(BasicAuthentication(settings.users))
     listeners: list[OpenPort] = []
     try:
-        rws1 = rws2 = None
+        rws1 = rws2 = faults = None
         if settings.rws1_port is not None:
-            rws1 = await _listen(listeners, face, first, settings.host, settings.rws1_port)
+            wanted, port = face.app(first), settings.rws1_port
+            opening = listen(wanted, face.connections, settings.host, port)
+            rws1 = await _opened(listeners, opening, settings.host, port, "rws1")
         if settings.rws2_port is not None:
-            port, tls = settings.rws2_port, settings.tls
-            rws2 = await _listen(listeners, face, second, settings.host, port, tls)
-        is_ready(Addresses(rws1, rws2))
+            wanted, port = face.app(second), settings.rws2_port
+            opening = listen(wanted, face.connections, settings.host, port, settings.tls)
+            rws2 = await _opened(listeners, opening, settings.host, port, "rws2")
+        if settings.faults_port is not None:
+            opening = open_fault_port(engine, settings.faults_port)
+            faults = await _opened(listeners, opening, "127.0.0.1", settings.faults_port, "faults")
+        is_ready(Addresses(rws1, rws2, faults))
         waits = [asyncio.create_task(one.wait()) for one in (over, engine.ended)]
         await asyncio.wait(waits, return_when=asyncio.FIRST_COMPLETED)
         for one in waits:
@@ -117,24 +117,19 @@ def _defect_line(context: Mapping[str, object]) -> str:
     return f"error: {context.get('message')}: {context.get('exception')!r}"
 
 
-async def _listen(
-    listeners: list[OpenPort],
-    face: HttpFrontend,
-    dialect: Dialect,
-    host: str,
-    port: int,
-    tls: ssl.SSLContext | None = None,
+async def _opened(
+    listeners: list[OpenPort], opening: Awaitable[OpenPort], host: str, port: int, name: str
 ) -> str:
-    """Listen at a port for one generation and return the address.
+    """Await that a port is open and return its address; `name` is that of its option.
 
     Raises:
         InputError: If the port is taken.
     """
     try:
-        listeners.append(await listen(face.app(dialect), face.connections, host, port, tls))
+        listeners.append(await opening)
     except OSError as error:
         raise InputError(
             f"{host}:{port} cannot be listened at: {error.strerror or error}",
-            f"`--rws{dialect.generation}-port 0` takes a free port",
+            f"`--{name}-port 0` takes a free port",
         ) from None
     return listeners[-1].address

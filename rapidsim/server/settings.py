@@ -63,6 +63,8 @@ class ServerSettings:
     """Port of Robot Web Services 1.0; 0 for a free one, None to disable it."""
     rws2_port: int | None = None
     """Port of Robot Web Services 2.0; 0 for a free one, None to disable it."""
+    faults_port: int | None = None
+    """Port of this computer for tests that make the controller fail; None for no such port."""
     tls: SSLContext | None = None
     """Key and certificate of Robot Web Services 2.0."""
     users: Mapping[str, str] = field(default_factory=lambda: DEFAULT_USERS)

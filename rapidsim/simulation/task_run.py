@@ -52,7 +52,7 @@ from rapidsim.simulation.run_findings import (
     trap_storm_finding,
     zone_finding,
 )
-from rapidsim.station.task_kind import TaskKind
+from rapidsim.station.task_kind import TaskEvent, TaskKind
 from rapidsim.values import value_class
 
 
@@ -76,6 +76,8 @@ class TaskSetup:
     """Procedure that it begins with; None for that of the run's options."""
     queue: QueueSettings | None = None
     """Message queue of the task; None if it is not described."""
+    events: tuple[tuple[TaskEvent, str], ...] = ()
+    """Event routines, which a controller that stays on calls."""
     robot_label: str | None = None
     """Name of its robot in the station; None if there is none."""
     is_base_known: bool = True

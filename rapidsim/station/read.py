@@ -17,6 +17,7 @@ from rapidsim.station.cameras import read_cameras
 from rapidsim.station.check import read_check
 from rapidsim.station.controller import ClockTable, ControllerTable
 from rapidsim.station.declared_tables import read_records, read_table
+from rapidsim.station.faults import read_faults
 from rapidsim.station.grippers import read_grippers
 from rapidsim.station.motion import ConfigurationRule, read_motion
 from rapidsim.station.searches import read_searches
@@ -36,6 +37,7 @@ _IO_KEYS = (
     "signals",
     "cross",
     "stimulus",
+    "fault",
     "socket",
     "camera",
     "conveyor",
@@ -162,6 +164,7 @@ def _io(reader: Reader, table: Table, backup: CellIo = NO_BACKUP.io) -> CellIo:
         read_signals(reader, reader.table(table, "signals"), backup.signals),
         read_crosses(reader, table, backup.crosses),
         read_stimuli(reader, table),
+        read_faults(reader, table),
         read_sockets(reader, table),
         read_cameras(reader, table),
         read_records(reader, table, "conveyor", ConveyorScript),

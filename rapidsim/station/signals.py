@@ -23,6 +23,7 @@ from rapidsim.controller.cell.description import (
     SignalDeclaration,
     SignalKind,
     Status,
+    SystemAction,
 )
 from rapidsim.json_records.declarations import AboveZero, Level, Needs, OneOf, noun, whole_number
 from rapidsim.station.declared_tables import read_records, values_of
@@ -60,6 +61,8 @@ class SignalEntry:
     """The task whose state it shows; None for any."""
     unit: Annotated[str, _NO_SYSTEM] = FIRST_ROBOT
     """The mechanical unit whose state it shows."""
+    action: Annotated[SystemAction | None, noun("a known action")] = None
+    """The action of the controller that a system input, a `di`, causes when it becomes 1."""
 
 
 def read_signals(
@@ -123,8 +126,13 @@ def _signal(
     if not (lowest is None or value >= lowest) or not (highest is None or value <= highest):
         reader.wrong(f"{path}.value", f"{value:g} is outside its limits {lowest} .. {highest}")
     status = signal.system
+    if signal.action is not None and signal.type is not SignalKind.DI:
+        reader.wrong(f"{path}.action", f"a {signal.type.value} causes no action; a di does")
     if status is None:
-        return SignalDeclaration(name, signal.type, value, lowest, highest)
+        cycle = backup.cycle if backup and backup.action is signal.action else ""
+        return SignalDeclaration(
+            name, signal.type, value, lowest, highest, action=signal.action, cycle=cycle
+        )
     start = status.at_start
     return SignalDeclaration(
         name, signal.type, start, lowest, highest, status, signal.task, signal.unit
@@ -142,6 +150,7 @@ def _entry_of(signal: SignalDeclaration) -> dict[str, Any]:
         "system": signal.status,
         "task": signal.task,
         "unit": signal.unit,
+        "action": signal.action,
     }
     return {name: value for name, value in fields.items() if value is not None}
 

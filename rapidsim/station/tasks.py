@@ -25,7 +25,7 @@ from rapidsim.controller.cell.message_queues import QueueSettings
 from rapidsim.files import did_you_mean
 from rapidsim.json_records.declarations import noun
 from rapidsim.station.declared_tables import ReadBy, values_of
-from rapidsim.station.task_kind import TaskKind
+from rapidsim.station.task_kind import TaskEvent, TaskKind
 from rapidsim.station.toml_reader import Reader, Table
 from rapidsim.values import value_class
 
@@ -54,6 +54,8 @@ class StationTask:
     """Message queue of the task; None if it is not described."""
     refers_late: bool = False
     """Whether it is loaded with unresolved references."""
+    events: tuple[tuple[TaskEvent, str], ...] = ()
+    """Event routines, in the order of their calls."""
     is_system: bool = False
     """Whether it is a task of the controller itself, such as of its safety board: no run has it."""
 
@@ -61,6 +63,17 @@ class StationTask:
 def _queue(reader: Reader, table: Table, path: str, key: str) -> Mapping[str, Any]:
     path = f"{path}.{key}"
     return values_of(reader, QueueSettings, reader.table(table, key, path), path)
+
+
+def _events(
+    reader: Reader, table: Table, path: str, key: str
+) -> tuple[tuple[TaskEvent, str], ...] | None:
+    """Return the routines of a table by event."""
+    path = f"{path}.{key}"
+    routines = reader.table(table, key, path)
+    reader.note_unknown_keys(path, routines, list(TaskEvent))
+    named = ((event, reader.text(routines, path, event)) for event in TaskEvent)
+    return tuple((event, name) for event, name in named if name) or None
 
 
 @value_class(frozen=True, slots=True)
@@ -81,6 +94,8 @@ class TaskTable:
     """The procedure it begins with; None for `main`."""
     check_references: bool | None = None
     """Whether unresolved references are errors, as without `-BindRef 0`; None for true."""
+    events: Annotated[tuple[tuple[TaskEvent, str], ...], ReadBy(_events)] = ()
+    """Routines that a served controller calls: `{ START = "open", STOP = "lampOff" }`."""
     rmq: Annotated[Mapping[str, Any] | None, ReadBy(_queue)] = None
     """Its message queue, by the fields of `QueueSettings`; None if it is not described."""
 
@@ -139,6 +154,7 @@ def _read_task(
         robot_number=None if task.robot or motion is False else known.robot_number,
         entry=task.entry or known.entry,
         queue=queue,
+        events=task.events or known.events,
         refers_late=known.refers_late
         if task.check_references is None
         else not task.check_references,

@@ -1,5 +1,6 @@
 """`rapidsim serve`: the ready line, how it ends, what it refuses. Its services: tests/server."""
 
+import http.client
 import json
 import socket
 import sys
@@ -26,7 +27,10 @@ def test_it_says_where_it_listens_and_ends_when_told(
     journal = tmp_path / "a.jsonl"
     (tmp_path / "users.txt").write_text("Somebody:secret\n\n")
     options = ("--journal", journal, "--ramdisk", tmp_path / "ram", "--lock-step", "--robotware", 6)
-    served = controller(tmp_path / "job.mod", *options, "--user-file", tmp_path / "users.txt")
+    (ready := tmp_path / "ready.json").write_text("of an earlier server")
+    users = ("--user-file", tmp_path / "users.txt")
+    served = controller(tmp_path / "job.mod", *options, *users, "--ready-file", ready)
+    assert json.loads(ready.read_text())["rws1"] == served.rws1
     assert served.ramdisk == tmp_path / "ram"
     assert served.home.parent == tmp_path
     with pytest.raises(urllib.error.HTTPError) as refused:
@@ -38,10 +42,19 @@ def test_it_says_where_it_listens_and_ends_when_told(
     digest = urllib.request.HTTPDigestAuthHandler(passwords)
     with urllib.request.build_opener(digest).open(f"{served.rws1}/rw/system", timeout=60) as page:
         assert b"6.16.2027" in page.read()
-    assert (served.end(), served.errors) == (0, "")
+    with pytest.raises(ValueError, match="earthquake"):
+        served.fail("earthquake")
+    served.fail("drop", count=1)
+    with pytest.raises(http.client.RemoteDisconnected):
+        urllib.request.urlopen(f"{served.rws1}/rw/system", timeout=60)
+    served.fail("general_stop", for_=3.0)
+    served.end_faults()
+    assert (served.end(), ready.exists()) == (0, False)
+    assert "General stop open" in served.errors
     lines = journal.read_text().splitlines()
     kinds = [json.loads(line)["what"].get("kind", "request") for line in lines]
-    assert kinds == ["on", "request", "off"]
+    assert kinds.count("fault") == 4
+    assert (kinds[:2], kinds[-1]) == (["on", "request"], "off")
 
 
 def test_a_program_with_errors_is_not_served(tmp_path: Path) -> None:

@@ -155,7 +155,7 @@ ELSEWHERE = {
         *("ClearPath", "RestoPath", "StorePath", "SyncMoveOn", "SyncMoveOff", "SyncMoveSuspend"),
         *("SyncMoveResume", "stop", "load", "RMQSendMessage"),
     },
-    "controller/cell/description.py": {"load", "set"},
+    "controller/cell/description.py": {"load", "set", "Stop"},
     "dap": {"type", "continue", "write"},
     "egm": {"type"},
     "interpreter/codegen/integer_inference.py": {"dim", "strlen"},
@@ -173,7 +173,7 @@ ELSEWHERE = {
     "report": {"dim", "distance", "stop"},
     "server": {"type", "Type", "opmode", "stop", "set", "continue", "dim", "clear", "min"},
     "simulation": {"stop"},
-    "station": {"type", "set", "close", "load", "max", "min", "stop"},
+    "station": {"type", "set", "close", "load", "max", "min", "stop", "STOP"},
     "syntax": {"EXP", "open", "close"},
 }
 

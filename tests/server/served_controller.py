@@ -15,6 +15,7 @@ from rapidsim.server.engine import Engine
 from rapidsim.server.http.app import HttpFrontend
 from rapidsim.server.http.basic import BasicAuthentication
 from rapidsim.server.http.digest import DigestAuthentication
+from rapidsim.server.http.fault_port import open_fault_port
 from rapidsim.server.http.guard import Guard
 from rapidsim.server.http.open_port import listen
 from rapidsim.server.http.rws1 import Rws1Dialect
@@ -37,6 +38,25 @@ class Served:
     face: HttpFrontend
     second: str = ""
     """Where Robot Web Services 2.0 is."""
+    faults: str = ""
+    """Where faults are requested."""
+
+    async def fail(self, **fault: object) -> tuple[int, str]:
+        """Request a fault; status and text of the answer."""
+        keys = {key.rstrip("_"): value for key, value in fault.items()}
+        async with (
+            aiohttp.ClientSession() as tester,
+            tester.post(f"{self.faults}/faults", json=keys) as response,
+        ):
+            return response.status, await response.text()
+
+    async def mend(self) -> int:
+        """End the faults."""
+        async with (
+            aiohttp.ClientSession() as tester,
+            tester.delete(f"{self.faults}/faults") as response,
+        ):
+            return response.status
 
     async def get(self, path: str) -> list[dict[str, Any]]:
         """The items of a resource, as JSON."""
@@ -111,8 +131,9 @@ async def _serve(
 ) -> T:
     home.mkdir(exist_ok=True)
     made = ready(RunRequest(paths=(str(file),), home=str(home), may_be_empty=True))
+    journal = limits.pop("journal", None)
     settings = EngineSettings(request_s=STEP_S)
-    link = DirectLink(lambda told: engine_of(made, settings, told))
+    link = DirectLink(lambda told: engine_of(made, settings, told, journal))
     users = DigestAuthentication(DEFAULT_USERS)
     guard = limits.pop("guard", Guard("127.0.0.1"))
     face = HttpFrontend(link, guard, print, **limits)
@@ -123,10 +144,11 @@ async def _serve(
         Rws2Dialect(BasicAuthentication(DEFAULT_USERS)),
     )
     listeners = [await listen(face.app(one), face.connections, "127.0.0.1", 0) for one in dialects]
+    listeners.append(await open_fault_port(link, 0))
     try:
-        first, second = (one.address for one in listeners)
+        first, second, faults = (one.address for one in listeners)
         async with _client() as client:
-            return await use(Served(first, client, link.engine, face, second))
+            return await use(Served(first, client, link.engine, face, second, faults))
     finally:
         for listener in listeners:
             await listener.close()

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import socket
 from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from multiprocessing.connection import wait
 from pathlib import Path
 from typing import Any
@@ -19,7 +19,7 @@ from rapidsim.interpreter.limits import RUNNING_DEPTH, recursion_limit
 from rapidsim.jobs.inputs.run_request import RunRequest
 from rapidsim.server.journal import read_journal
 from rapidsim.server.loading import engine_of, ready
-from rapidsim.server.messages import Answer, Request
+from rapidsim.server.messages import Answer, BeginFault, EndFaults, Request
 from rapidsim.server.replay import replayed
 from rapidsim.server.settings import EngineSettings
 
@@ -201,6 +201,42 @@ def test_a_path_is_corrected_and_that_is_lived_again(tmp_path: Path) -> None:
         first, second = sensor.frames[:2]
         assert first["mciState"]["state"] == 3
         assert second["header"]["tm"] - first["header"]["tm"] == 24
+        controller.end()
+
+
+def test_datagrams_are_dropped_refused_repeated_and_delayed(tmp_path: Path) -> None:
+    with driven(tmp_path) as (controller, sensor):
+        controller.start()
+
+        def fail(kind: str, **keys: object) -> None:
+            reply = controller.engine.reply(BeginFault({"kind": kind, "on": "egm", **keys}))
+            assert isinstance(reply, Answer)
+
+        def frames() -> list[int]:
+            """Numbers of the frames of 0.05 s, in which nobody answers."""
+            controller.value("rounds")
+            sensor.frames.clear()
+            sensor.stream.settimeout(0.05)
+            with suppress(TimeoutError):
+                while True:
+                    sensor.hear()
+            sensor.stream.settimeout(5.0)
+            return [int(frame["header"]["seqno"]) for frame in sensor.frames]
+
+        last = frames()[-1]
+        fail("duplicate")
+        twice = frames()
+        assert twice == sorted([*twice[::2]] * 2)
+        controller.engine.reply(EndFaults())
+        fail("drop", count=6)
+        assert frames()[0] == twice[-1] + 7 > last + 7
+        answers = sum('"kind": "egm"' in line for line in controller.lines)
+        fail("refuse")
+        fail("delay", by=0.02)
+        while guided(controller):
+            controller.value("rounds")
+        assert controller.value("outcome") == '"silent TRUE"'
+        assert sum('"kind": "egm"' in line for line in controller.lines) <= answers + 1
         controller.end()
 
 

@@ -16,7 +16,14 @@ from rapidsim.jobs.inputs.run_request import RunRequest
 from rapidsim.server.engine import Engine, LockStep, Pace
 from rapidsim.server.journal import JournalFile, read_journal
 from rapidsim.server.loading import ReadyController, ready
-from rapidsim.server.messages import Message, Request, SessionEnded, Subscribe
+from rapidsim.server.messages import (
+    BeginFault,
+    EndFaults,
+    Message,
+    Request,
+    SessionEnded,
+    Subscribe,
+)
 from rapidsim.server.replay import replayed
 from rapidsim.simulation.live.controller import LiveController
 
@@ -62,6 +69,25 @@ ACTS: tuple[Message, ...] = (
     Request("POST", "/rw/panel/speedratio", {"action": "setspeedratio"}, {"speed-ratio": "30"}, 1),
     SessionEnded(1),
     Subscribe(("/rw/iosystem/signals/doPulse;state", "/rw/rapid/execution;ctrlexecstate"), 1),
+    *(
+        BeginFault(fault)
+        for fault in (
+            {"kind": "emergency_stop", "for": 0.5},
+            {"kind": "guard_stop", "when": "doPulse", "after": 0.1, "nth": [1]},
+            {"kind": "general_stop"},
+            {"kind": "restart"},
+            {"kind": "restart", "mode": "cold", "every": 2.0},
+            {"kind": "full_disk", "for": 0.3},
+            {"kind": "elog", "code": 50204},
+            {"kind": "device_lost", "device": "any", "for": 0.3},
+            {"kind": "drop", "on": "socket"},
+            {"kind": "none"},
+        )
+    ),
+    EndFaults(),
+    Request(
+        "POST", "/rw/panel/ctrlstate", {"action": "setctrlstate"}, {"ctrl-state": "motoron"}, 1
+    ),
 )
 START, STOP, RESET, GO_ON = ACTS[0], ACTS[1], ACTS[2], ACTS[3]
 UPLOAD = ACTS[8]

@@ -17,7 +17,7 @@ from command_line import call
 from served_controller import Served, serve
 
 from rapidsim.simulation.live import signals, symbols
-from rapidsim.simulation.live.states import Motors
+from rapidsim.simulation.live.states import ControllerState
 
 PROGRAM = r"""MODULE job
   ! A line with <b>marks</b> & "quotes".
@@ -264,7 +264,7 @@ def test_a_browser_jogs_loads_steps_and_explains(tmp_path: Path) -> None:
             await page.until(f"{_one('#arm')}.width > 0")
             await choose("#speed", "50")
             await page.until(f"{_one('#percent')}.textContent === '50 %'")
-            assert live.speed_ratio == 50
+            assert live.panel.speed_ratio == 50
             await page.value(f"{_one('#jogging')}.open = true")
             await page.until(f"{_one('.refusal')}.textContent.includes('manual mode')")
             assert await page.value(f"{_one('.step')}.disabled")
@@ -357,7 +357,7 @@ def test_a_browser_jogs_loads_steps_and_explains(tmp_path: Path) -> None:
                 assert await page.value(wide) <= 0
             await click("#quick")
             await page.until(f"{_one('#start')}.disabled")
-            assert live.motors is Motors.OFF
+            assert live.panel.state is ControllerState.MOTORS_OFF
             assert not page.errors
 
     serve(cell(tmp_path), None, use)

@@ -1,6 +1,7 @@
 """Sockets of programs talk to real peers while time passes."""
 
 import socket
+from base64 import b64encode
 from collections.abc import Callable
 from multiprocessing.connection import wait
 from pathlib import Path
@@ -12,7 +13,7 @@ from rapidsim.jobs.inputs.run_request import RunRequest
 from rapidsim.server.engine import Engine
 from rapidsim.server.journal import read_journal
 from rapidsim.server.loading import ReadyController, engine_of, ready
-from rapidsim.server.messages import Answer, Request
+from rapidsim.server.messages import Answer, BeginFault, EndFaults, Request
 from rapidsim.server.replay import replayed
 from rapidsim.server.settings import EngineSettings
 from rapidsim.server.wire import SocketWire
@@ -190,6 +191,47 @@ def test_a_client_talks_to_a_program_that_listens(tmp_path: Path) -> None:
             driven.ask("resetpp")
         with pytest.raises(OSError, match="refused"):
             socket.create_connection(("127.0.0.1", port), timeout=20)
+        driven.end()
+
+
+def test_connections_of_programs_are_delayed_repeated_broken_and_refused(tmp_path: Path) -> None:
+    port = free_port()
+    with recursion_limit(RUNNING_DEPTH):
+        driven = Driven(tmp_path, SERVER, port)
+        driven.ask(cycle="forever")
+
+        def fail(kind: str, **keys: object) -> None:
+            reply = driven.engine.reply(BeginFault({"kind": kind, "on": "socket", **keys}))
+            assert isinstance(reply, Answer)
+
+        def arrived(text: str) -> bool:
+            return any(b64encode(text.encode()).decode() in line for line in driven.lines)
+
+        with socket.create_connection(("127.0.0.1", port), timeout=20) as client:
+            fail("delay", by=1.0, count=2)
+            client.sendall(b"one")
+            driven.hear(lambda: arrived("one"))
+            assert driven.value("served") == "0"
+            driven.pass_time(1.2)
+            assert driven.value("served") == "1"
+            fail("duplicate", count=1)
+            client.sendall(b"two")
+            driven.hear(lambda: arrived("two"))
+            driven.pass_time(0.2)
+            said = b""
+            while len(said) < len(b"ok oneok twook two"):
+                said += client.recv(100)
+            assert said == b"ok oneok twook two"
+            fail("drop")
+            driven.pass_time(0.1)
+            assert client.recv(100) == b""
+        driven.engine.reply(EndFaults())
+        fail("refuse")
+        with socket.create_connection(("127.0.0.1", port), timeout=20) as client:
+            driven.hear(lambda: any('"connection": -2' in line for line in driven.lines))
+            assert client.recv(100) == b""
+        driven.pass_time(2.5)
+        assert driven.value("noClient") == "1"
         driven.end()
 
 

@@ -57,7 +57,7 @@ def test_every_resource_answers_in_every_state(
 
     def is_there() -> bool:
         executes = "running" if live.executes else "stopped"
-        return [live.motors.value, live.mode.value, executes] == shown
+        return [live.panel.state.value, live.panel.mode.value, executes] == shown
 
     assert is_there()
     one.reply(Subscribe(("/rw/rapid/execution;ctrlexecstate", "/rw/iosystem/signals/diGo"), 1))

@@ -15,7 +15,7 @@ from rapidsim.simulation.live.controller import LiveController
 from rapidsim.simulation.live.event_log import LogEntry
 from rapidsim.simulation.options import RunOptions
 from rapidsim.simulation.task_run import TaskSetup
-from rapidsim.station.task_kind import TaskKind
+from rapidsim.station.task_kind import TaskEvent, TaskKind
 
 SIGNALS = (
     SignalDeclaration("diGo", SignalKind.DI),
@@ -37,10 +37,13 @@ class Live:
         io: CellIo | None = None,
         background: str = "",
         home: Path | None = None,
+        events: tuple[tuple[TaskEvent, str], ...] = (),
     ) -> None:
         robot = load_robot("irb1600")
         setups = [
-            TaskSetup(f"T_ROB{number}", _program(text), robot if number == 1 else None)
+            TaskSetup(
+                f"T_ROB{number}", _program(text), robot if number == 1 else None, events=events
+            )
             for number, text in enumerate(programs, start=1)
         ]
         if background:

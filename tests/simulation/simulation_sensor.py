@@ -9,6 +9,7 @@ import numpy as np
 from simulation_program import Ran, ran
 
 from rapidsim.controller.cell.description import CellIo
+from rapidsim.controller.cell.faults import LastingFault
 from rapidsim.controller.cell.network import Network
 from rapidsim.controller.cell.sensors import SilentSensor
 from rapidsim.motion.guidance.feedback import Feedback
@@ -45,6 +46,9 @@ class Devices:
     def open(self, device: str) -> Scripted:
         self.opened.append(device)
         return self.sensor
+
+    def fail(self, faults: tuple[LastingFault, ...]) -> None:
+        """Nothing fails."""
 
     def close(self) -> None:
         """A run is over."""

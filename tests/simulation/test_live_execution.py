@@ -7,7 +7,14 @@ from live_controller import Live, module
 
 from rapidsim.controller.journal.events import Event
 from rapidsim.simulation.live import signals
-from rapidsim.simulation.live.states import Cycle, Motors, OperatingMode, RequestRefused, StopMode
+from rapidsim.simulation.live.states import (
+    ControllerState,
+    Cycle,
+    Motors,
+    OperatingMode,
+    RequestRefused,
+    StopMode,
+)
 
 COUNTS = module("n := n + 1; k := k + 1; WaitTime 1;", "PERS num n := 0; VAR num k := 0;")
 TURNS = module(
@@ -258,12 +265,12 @@ def test_motors_off_stop_the_program_and_nothing_starts_without_them() -> None:
     live.controller.start()
     assert signals.value_of(live.controller, "doRuns") == 1.0
     live.after(0.5)
-    live.controller.set_motors(Motors.OFF)
+    live.controller.panel.set_motors(Motors.OFF)
     assert not live.controller.executes
     assert signals.value_of(live.controller, "doRuns") == 0.0
     with pytest.raises(RequestRefused, match="motors are off"):
         live.controller.start()
-    live.controller.set_motors(Motors.ON)
+    live.controller.panel.set_motors(Motors.ON)
     live.controller.start()
     assert live.controller.executes
     at_the_start, later = [10017, 10011], [10150, 10125, 10010, 10011, 10151]
@@ -273,19 +280,19 @@ def test_motors_off_stop_the_program_and_nothing_starts_without_them() -> None:
 def test_the_key_goes_through_reduced_speed_and_switches_the_motors_off() -> None:
     live = Live(COUNTS)
     with pytest.raises(RequestRefused, match="MANR"):
-        live.controller.set_mode(OperatingMode.FULL)
-    live.controller.set_mode(OperatingMode.REDUCED)
-    live.controller.set_mode(OperatingMode.FULL)
-    assert live.controller.motors is Motors.OFF
+        live.controller.panel.set_mode(OperatingMode.FULL)
+    live.controller.panel.set_mode(OperatingMode.REDUCED)
+    live.controller.panel.set_mode(OperatingMode.FULL)
+    assert live.controller.panel.state is ControllerState.MOTORS_OFF
     with pytest.raises(RequestRefused, match="automatic"):
-        live.controller.set_speed_ratio(50)
+        live.controller.panel.set_speed_ratio(50)
 
 
 def test_at_half_the_speed_ratio_a_way_takes_longer() -> None:
     times = []
     for percent in (100, 25):
         live = Live(TURNS)
-        live.controller.set_speed_ratio(percent)
+        live.controller.panel.set_speed_ratio(percent)
         live.controller.reset_pointers()
         live.controller.start(Cycle.ONCE)
         while live.controller.executes:

@@ -22,8 +22,8 @@ MOVES = module(
 
 def manual() -> tuple[Live, LiveTask]:
     live = Live(MOVES)
-    live.controller.set_mode(OperatingMode.REDUCED)
-    live.controller.set_motors(Motors.ON)
+    live.controller.panel.set_mode(OperatingMode.REDUCED)
+    live.controller.panel.set_motors(Motors.ON)
     return live, live.controller.task("T_ROB1")
 
 
@@ -106,9 +106,9 @@ def test_a_robot_is_jogged_in_manual_mode_at_rest_off_any_path() -> None:
     live = Live(MOVES)
     controller, task = live.controller, live.controller.task("T_ROB1")
     assert reason_against_jogging(controller, task) == "jogging needs manual mode"
-    controller.set_mode(OperatingMode.REDUCED)
+    controller.panel.set_mode(OperatingMode.REDUCED)
     assert reason_against_jogging(controller, task) == "the motors are off"
-    controller.set_motors(Motors.ON)
+    controller.panel.set_motors(Motors.ON)
     controller.start()
     assert reason_against_jogging(controller, task) == "the program executes"
     live.after(0.8)

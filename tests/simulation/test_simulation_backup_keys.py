@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from command_line import call
 
-from rapidsim.controller.cell.description import SignalKind, Status
+from rapidsim.controller.cell.description import SignalKind, Status, SystemAction
 from rapidsim.controller.cell.message_queues import QueueMode, QueueSettings, QueueType
 from rapidsim.frames.transform import Transform
 from rapidsim.json_records.declarations import record_fields
@@ -22,7 +22,7 @@ from rapidsim.station.read import read_station
 from rapidsim.station.robot import RobotTable
 from rapidsim.station.signals import SignalEntry
 from rapidsim.station.station import Station
-from rapidsim.station.task_kind import TaskKind
+from rapidsim.station.task_kind import TaskEvent, TaskKind
 from rapidsim.station.tasks import TaskTable
 
 MOVE = "MoveJ [[500,0,600],[0,0,1,0],[0,0,0,0],[9E9,0,9E9,9E9,9E9,9E9]],v100,fine,tool0;"
@@ -41,6 +41,12 @@ BACKUP = {
       -Name "T_BACK" -Type "STATIC" -Entry "watch" -BindRef 0 -RMQType "Remote"\\
       -RMQMode "Synchronous" -RMQMaxMsgSize 500 -RMQMaxNoOfMsg 7
 #
+CAB_EXEC_HOOKS:
+      -Routine "second" -Shelf "STOP" -Task "T_BACK" -SeqNo 2
+      -Routine "first" -Shelf "QSTOP" -AllTask -SeqNo 1
+      -Routine "never" -Shelf "POWER_ON" -Task "T_BACK"
+      -Routine "other" -Shelf "STOP" -Task "T_ROB1"
+#
 MECHANICAL_UNIT_GROUP:
       -Name "first" -Robot "ROB_1" -MechanicalUnit_1 "TRACK_1"
       -Name "second" -Robot "ROB_2"
@@ -51,12 +57,16 @@ MECHANICAL_UNIT_GROUP:
       -Name "aoFlow" -SignalType "AO" -MinLog -2.5 -MaxLog 10
       -Name "doMoves" -SignalType "DO"
       -Name "diPart" -SignalType "DI"
+      -Name "diStart" -SignalType "DI"
 #
 EIO_CROSS:
       -Name "c" -Res "diPart" -Act1 "doGrip" -Act1_invert
 #
 SYSSIG_OUT:
       -Status "MechUnitNotMoving" -Signal "doMoves" -Arg3 "ROB_2" -Arg2 "T_ROB2"
+#
+SYSSIG_IN:
+      -Signal "diStart" -Action "Start" -Arg1 "CYCLE"
 """,
     "SYSPAR/MOC.cfg": """ROBOT:
       -name "ROB_1" -use_robot_type "ROB1_1200_0.9_5" -use_joint_0 "r1_1" -use_joint_1 "r1_2"\\
@@ -151,6 +161,10 @@ SAID: dict[str, dict[str, tuple[str, dict[str, object]]]] = {
             {"robot": "ROB_2", "robot_number": 1, "motion": True},
         ),
         "entry": ('name = "T_BACK"\nentry = "look"', {"entry": "look"}),
+        "events": (
+            'name = "T_BACK"\nevents = { START = "look" }',
+            {"events": ((TaskEvent.START, "look"),)},
+        ),
         "check_references": (
             'name = "T_BACK"\ncheck_references = true',
             {"refers_late": False},
@@ -172,6 +186,7 @@ SIGNALS: dict[str, tuple[str, str, dict[str, object]]] = {
     "system": ("doMoves", 'system = "MechUnitActive"', {"status": Status.UNIT_ACTIVE}),
     "task": ("doMoves", 'task = "T_ROB1"', {"task": "T_ROB1"}),
     "unit": ("doMoves", 'unit = "ROB_1"', {"unit": "ROB_1"}),
+    "action": ("diStart", 'action = "Stop"', {"action": SystemAction.STOP, "cycle": ""}),
 }
 
 
@@ -212,6 +227,9 @@ def test_the_backup_says_something_of_every_part(tmp_path: Path) -> None:
     assert said.robotware == RobotWare(6, 8)
     assert said.tasks[2].queue is not None
     assert said.tasks[2].refers_late
+    assert said.tasks[2].events == ((TaskEvent.QUICK_STOP, "first"), (TaskEvent.STOP, "second"))
+    start = said.io.signals[-1]
+    assert (start.action, start.cycle) == (SystemAction.START, "CYCLE")
 
 
 def test_every_key_is_tried() -> None:

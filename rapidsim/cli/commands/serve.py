@@ -5,7 +5,8 @@ from __future__ import annotations
 import json
 import os
 import sys
-from contextlib import redirect_stdout
+from collections.abc import Iterator
+from contextlib import contextmanager, redirect_stdout, suppress
 from functools import partial
 from math import inf
 from pathlib import Path
@@ -26,6 +27,7 @@ from rapidsim.diagnostics import Diagnostic
 from rapidsim.extras import require
 from rapidsim.files import InputError, input_bytes
 from rapidsim.jobs.inputs.run_request import DEFAULT_ENTRY, RunRequest
+from rapidsim.output_files import whole_file
 from rapidsim.values import value_class
 
 if TYPE_CHECKING:
@@ -187,6 +189,17 @@ class ServeOptions:
         help="Record while the server runs; the file appears at the end.",
     )
     view: bool = option("--view", is_flag=True, help="Show the recording live.")
+    ready_file: str | None = option(
+        "--ready-file",
+        metavar="FILE",
+        help="Write the first line to a file, too, which exists while the server listens.",
+    )
+    faults_port: int | None = option(
+        "--faults-port",
+        metavar="N",
+        type=click.IntRange(0, 65535),
+        help="A port of this computer at which tests make the controller fail; 0 picks a free one.",
+    )
     debug_port: int | None = option(
         "--debug",
         metavar="PORT",
@@ -236,6 +249,8 @@ def serve(options: ServeOptions) -> int:
         _print_rejected(request, rejected.diagnostics)
         return ExitCode.FINDINGS
 
+    ready_file = None if options.ready_file is None else Path(options.ready_file)
+
     def ready(addresses: Addresses) -> None:
         line = {
             "ready": True,
@@ -247,14 +262,35 @@ def serve(options: ServeOptions) -> int:
             "pid": os.getpid(),
             "version": __version__,
         }
+        if addresses.faults is not None:
+            line["faults"] = addresses.faults
         if engine.ready.debug is not None:
             line["debug"] = engine.ready.debug
+        if ready_file is not None:
+            with whole_file(ready_file) as part:
+                part.write_text(json.dumps(line) + "\n", encoding="utf-8")
         echo(json.dumps(line))
 
-    ended = serve_engine(engine, server_settings, ready, lambda text: echo(text, err=True))
+    with _removed(ready_file):
+        ended = serve_engine(engine, server_settings, ready, lambda text: echo(text, err=True))
     if not ended:
         echo("error: the controller's process has ended; please report this", err=True)
     return ExitCode.CLEAN if ended else ExitCode.DEFECT
+
+
+@contextmanager
+def _removed(file: Path | None) -> Iterator[None]:
+    """Remove a file before the body of the context, and what the body has written after it."""
+    files = () if file is None else (file,)
+    for one in files:
+        with suppress(OSError):
+            one.unlink()
+    try:
+        yield
+    finally:
+        for one in files:
+            with suppress(OSError):
+                one.unlink()
 
 
 def _require_consistent(options: ServeOptions, ports: tuple[int | None, int | None]) -> None:
@@ -307,6 +343,7 @@ def _server_settings(options: ServeOptions, ports: tuple[int | None, int | None]
         host=options.host,
         rws1_port=ports[0],
         rws2_port=ports[1],
+        faults_port=options.faults_port,
         tls=None if ports[1] is None else _tls(),
         hosts=frozenset(name.lower() for name in options.allow_hosts),
         origins=frozenset(map(_origin, options.allow_origins)),

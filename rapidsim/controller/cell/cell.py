@@ -23,6 +23,8 @@ from rapidsim.controller.cell.description import (
     Status,
     Stimulus,
 )
+from rapidsim.controller.cell.due_occasions import DueOccasion, Occasions
+from rapidsim.controller.cell.faults import Fault
 from rapidsim.controller.cell.finger_motion import Fingers
 from rapidsim.controller.cell.home_folder import HomeFolder
 from rapidsim.controller.cell.inputs import CellInputs
@@ -32,7 +34,6 @@ from rapidsim.controller.cell.pendant import Pendant
 from rapidsim.controller.cell.rendezvous import RendezvousTable
 from rapidsim.controller.cell.sensors import GuidanceSensors, NoSensors
 from rapidsim.controller.cell.signals import SignalTable
-from rapidsim.controller.cell.stimuli import DueStimulus, Stimuli
 from rapidsim.controller.cell.streams import SocketTable
 from rapidsim.controller.cell.system_parameters import SystemParameters
 from rapidsim.controller.cell.text_tables import TextTables
@@ -219,6 +220,8 @@ class Cell:
         self.parameters = SystemParameters(inputs.configured)
         self.disabled_devices: set[str] = set()
         """Folded names of the I/O devices that the program has switched off."""
+        self.lost_devices: set[str] = set()
+        """Folded names of the I/O devices without contact."""
         self.sampled: dict[int, SampledSignal] = {}
         """The test signals by channel."""
         self.rendezvous = RendezvousTable()
@@ -240,11 +243,21 @@ class Cell:
         self._scheduled: list[_ScheduledChange] = []
         self._last_changes: dict[str, _Change] = {}
         """Last change of each signal, by folded name."""
-        self._stimuli = Stimuli(self._io.stimuli)
+        self._stimuli = Occasions(self._io.stimuli)
         sources = [cross.condition for cross in self._io.crosses]
         sources += [stimulus.when for stimulus in self._io.stimuli if stimulus.when]
         self._sources = {name.lower() for source in sources for name in source.signals()}
         self._begin()
+
+    @property
+    def station_faults(self) -> tuple[Fault, ...]:
+        """The faults of the station, which have an effect on a controller that stays on."""
+        return self._io.faults
+
+    @property
+    def connected(self) -> frozenset[str]:
+        """Folded names of the signals that follow others."""
+        return frozenset(cross.result.lower() for cross in self._io.crosses)
 
     @property
     def declared(self) -> tuple[SignalDeclaration, ...]:
@@ -429,7 +442,7 @@ class Cell:
         def act(now: Moment) -> None:
             if is_due(now.time_s):
                 pulse = Stimulus(values={name: 1.0}, pulse_s=SWITCH_S)
-                self._apply_stimulus(DueStimulus(pulse, now.time_s))
+                self._apply_stimulus(DueOccasion(pulse, now.time_s))
 
         moment = Moment(Instant(time_s))
         self._scheduled.append(_ScheduledChange(moment, act, _folded((name,))))
@@ -461,9 +474,9 @@ class Cell:
         for due in self._stimuli.change(name, moment.time_s, self.signals.read):
             self._apply_stimulus(due)
 
-    def _apply_stimulus(self, due: DueStimulus) -> None:
+    def _apply_stimulus(self, due: DueOccasion[Stimulus]) -> None:
         """Apply a stimulus when it is due, and schedule it again if it repeats."""
-        stimulus = due.stimulus
+        stimulus = due.occasion
 
         def act(now: Moment) -> None:
             before = {name: self.signals.read(name) for name in stimulus.values}

@@ -9,24 +9,16 @@ import math
 from collections.abc import Mapping
 from dataclasses import replace
 from enum import StrEnum
-from itertools import count
 from typing import Annotated, Literal
 
 from rapidsim.controller.cell.camera_scripts import CameraScript
 from rapidsim.controller.cell.conditions import Condition
 from rapidsim.controller.cell.conveyors import ConveyorScript
+from rapidsim.controller.cell.faults import Fault
+from rapidsim.controller.cell.occasions import Occasion
 from rapidsim.controller.cell.part_poses import PartPose
 from rapidsim.controller.cell.socket_scripts import SocketScript
-from rapidsim.json_records.declarations import (
-    AboveZero,
-    Excludes,
-    Key,
-    Needs,
-    NotNegative,
-    OneOf,
-    Required,
-    Valid,
-)
+from rapidsim.json_records.declarations import AboveZero, Key, NotNegative, OneOf, Required
 from rapidsim.values import value_class
 
 
@@ -67,7 +59,6 @@ def _is_bit(word: str) -> bool:
 
 
 FIRST_ROBOT = "ROB_1"
-_LEAST_PERIOD_S = 0.001
 
 
 class Status(StrEnum):
@@ -102,6 +93,24 @@ _NOT_IN_A_RUN = (
 )
 
 
+class SystemAction(StrEnum):
+    """Action of a controller that a system input causes when it becomes 1, as configured."""
+
+    START = "Start"
+    START_AT_MAIN = "StartMain"
+    STOP = "Stop"
+    QUICK_STOP = "QuickStop"
+    SOFT_STOP = "SoftStop"
+    STOP_AT_CYCLE_END = "StopCycle"
+    STOP_AT_INSTRUCTION_END = "StopInstr"
+    MOTORS_ON = "MotOn"
+    MOTORS_OFF = "MotOff"
+    MOTORS_ON_AND_START = "MotOnStart"
+    RESET_EMERGENCY_STOP = "ResetEstop"
+    POINTER_TO_MAIN = "PPtoMain"
+    RESTART = "SysReset"
+
+
 @value_class(frozen=True, slots=True)
 class SignalDeclaration:
     """One signal of the I/O configuration."""
@@ -119,6 +128,10 @@ class SignalDeclaration:
     """The task whose state it shows; None for any."""
     unit: str = FIRST_ROBOT
     """The mechanical unit whose state it shows."""
+    action: SystemAction | None = None
+    """The action of the controller that it causes, if it is a system input."""
+    cycle: str = ""
+    """Cycle mode of a start that it causes: CONT or CYCLE; empty for the current one."""
 
     @property
     def width(self) -> int | None:
@@ -128,28 +141,10 @@ class SignalDeclaration:
         return round(math.log2(self.highest + 1.0))
 
 
-def _is_period(every_s: float) -> bool:
-    return every_s >= _LEAST_PERIOD_S
-
-
 @value_class(frozen=True, slots=True, kw_only=True)
-class Stimulus:
+class Stimulus(Occasion):
     """An external change of inputs: at a time, or after a condition became true."""
 
-    at_s: Annotated[NotNegative | None, Key("at")] = None
-    """Virtual time of the first change."""
-    every_s: Annotated[
-        AboveZero | None,
-        Key("every"),
-        Valid(_is_period, f"at least {_LEAST_PERIOD_S:g} s is needed"),
-    ] = None
-    """Time from one change to the next; None if it happens once."""
-    when: Condition | None = None
-    """In place of a time: the condition that causes the change each time that it becomes true."""
-    after_s: Annotated[
-        NotNegative, Key("after"), Needs("when", "it needs `when`; with the clock, use `at`")
-    ] = 0.0
-    """Delay from the condition becoming true to the change."""
     values: Annotated[
         Mapping[str, float],
         Key("set"),
@@ -158,19 +153,6 @@ class Stimulus:
     """New values of the signals."""
     pulse_s: Annotated[AboveZero | None, Key("pulse")] = None
     """After this time the signals return to their previous values."""
-    nth: Annotated[
-        tuple[int, ...],
-        Excludes("skip", "give `nth`, the times that it acts, or `skip`, those that it does not"),
-    ] = ()
-    """Occurrences at which it acts, the first is 1; empty for all."""
-    skip: tuple[int, ...] = ()
-    """Occurrences at which it does not act."""
-
-    def first_that_acts(self, occurrence: int) -> int | None:
-        """The first occurrence from one on at which it acts; None if there is none."""
-        if self.nth:
-            return min((one for one in self.nth if one >= occurrence), default=None)
-        return next(one for one in count(occurrence) if one not in self.skip)
 
     def replaces(self, stimulus: Stimulus) -> bool:
         """Whether it is about the same event and the same signals as another."""
@@ -243,6 +225,7 @@ class CellIo:
     signals: tuple[SignalDeclaration, ...] = ()
     crosses: tuple[CrossConnection, ...] = ()
     stimuli: tuple[Stimulus, ...] = ()
+    faults: tuple[Fault, ...] = ()
     sockets: tuple[SocketScript, ...] = ()
     """The peers of the program's sockets."""
     cameras: tuple[CameraScript, ...] = ()
@@ -264,6 +247,7 @@ class CellIo:
             signals=(*kept, *other.signals),
             crosses=(*self.crosses, *other.crosses),
             stimuli=(*driven, *other.stimuli),
+            faults=(*self.faults, *other.faults),
             sockets=(*self.sockets, *other.sockets),
             cameras=(*self.cameras, *other.cameras),
             conveyors=(*self.conveyors, *other.conveyors),
@@ -283,7 +267,8 @@ class CellIo:
     def read(self) -> tuple[str, ...]:
         """Names of the signals that connections, stimuli and grippers read, each once."""
         looked_at = [cross.condition for cross in self.crosses]
-        looked_at += [stimulus.when for stimulus in self.stimuli if stimulus.when]
+        occasions: tuple[Occasion, ...] = (*self.stimuli, *self.faults)
+        looked_at += [occasion.when for occasion in occasions if occasion.when]
         looked_at += [one.runs for one in self.conveyors if one.runs]
         for gripper in self.grippers:
             looked_at += [one for one in (gripper.close, gripper.closed) if one is not None]

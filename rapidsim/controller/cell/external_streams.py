@@ -127,6 +127,11 @@ class ExternalStreams:
         if end is not None:
             end.close(now_s)
 
+    @property
+    def numbers(self) -> tuple[int, ...]:
+        """Numbers of the open connections."""
+        return tuple(self._streams)
+
     def unread(self, number: int) -> int:
         """Bytes of a connection that wait for its program."""
         stream = self._streams.get(number)

@@ -55,11 +55,13 @@ class DiskLimit:
         """Begin with an empty disk."""
         self._used = 0
         self._made = 0
+        self.is_full = False
+        """Whether nothing more may be written, whatever the limit."""
 
     @property
     def free(self) -> int:
         """Number of bytes that may still be written."""
-        return DISK_BYTES - self._used
+        return 0 if self.is_full else DISK_BYTES - self._used
 
     def use(self, count: int) -> None:
         """Use more bytes.
@@ -67,6 +69,8 @@ class DiskLimit:
         Raises:
             RapidError: ERR_FILEACC, if the limit is exceeded.
         """
+        if self.is_full:
+            raise rapid_error(ERR_FILEACC, "the disk is full")
         if self._used + count > DISK_BYTES:
             raise rapid_error(
                 ERR_FILEACC, f"the disk is full: a run may write {DISK_BYTES:g} bytes"
@@ -89,6 +93,8 @@ class DiskLimit:
             if one.exists():
                 break
             made += 1
+        if self.is_full and made > self._made:
+            raise rapid_error(ERR_FILEACC, "the disk is full")
         if made > DISK_FILES:
             raise rapid_error(
                 ERR_FILEACC, f"the disk is full: a run may make {DISK_FILES} files and folders"

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Protocol
 
+from rapidsim.controller.cell.faults import LastingFault
 from rapidsim.motion.guidance.feedback import NO_DATA, Feedback, GuidedFeedback, ProgramData
 from rapidsim.motion.guidance.guided_execution import GuidedExecution
 from rapidsim.motion.guidance.sensor import SensorAnswer
@@ -75,6 +76,10 @@ class GuidanceSensors(Protocol):
         """
         ...
 
+    def fail(self, faults: tuple[LastingFault, ...]) -> None:
+        """Let datagrams fail as these faults say, and no others."""
+        ...
+
     def close(self) -> None:
         """Close all connections."""
         ...
@@ -116,6 +121,9 @@ class NoSensors:
         """See `GuidanceSensors`."""
         del device
         return SilentSensor()
+
+    def fail(self, faults: tuple[LastingFault, ...]) -> None:
+        """See `GuidanceSensors`."""
 
     def close(self) -> None:
         """See `GuidanceSensors`."""

@@ -5,7 +5,13 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from rapidsim.controller.cell.description import SignalDeclaration, SignalKind
-from rapidsim.language.error_numbers import ERR_AO_LIM, ERR_GO_LIM, ERR_SIG_NAME, rapid_error
+from rapidsim.language.error_numbers import (
+    ERR_AO_LIM,
+    ERR_GO_LIM,
+    ERR_NORUNUNIT,
+    ERR_SIG_NAME,
+    rapid_error,
+)
 
 _ANALOG = (SignalKind.AI, SignalKind.AO)
 _INPUTS = (SignalKind.DI, SignalKind.GI, SignalKind.AI)
@@ -18,6 +24,8 @@ class SignalTable:
         """Start with the declared signals at their start values."""
         self._declared = {signal.name.lower(): signal for signal in declared}
         self._values = {name: signal.value for name, signal in self._declared.items()}
+        self.lost: frozenset[str] = frozenset()
+        """Folded names of the signals whose device has no contact."""
 
     def read(self, name: str) -> float:
         """The value of a signal."""
@@ -29,6 +37,15 @@ class SignalTable:
         self._values[name.lower()] = value
         return changed
 
+    def require_contact(self, name: str) -> None:
+        """Refuse the use of a signal by a program if its device has no contact.
+
+        Raises:
+            RapidError: ERR_NORUNUNIT.
+        """
+        if self.lost and name.lower() in self.lost:
+            raise rapid_error(ERR_NORUNUNIT, f"the I/O device of `{name}` has no contact")
+
     def is_missing(self, name: str) -> bool:
         """Whether signals are declared, and none of this name."""
         return bool(self._declared) and name.lower() not in self._declared
@@ -37,8 +54,10 @@ class SignalTable:
         """Refuse a write that the I/O configuration forbids to a program.
 
         Raises:
-            RapidError: ERR_SIG_NAME for an input, ERR_GO_LIM or ERR_AO_LIM outside the limits.
+            RapidError: ERR_SIG_NAME for an input, ERR_GO_LIM or ERR_AO_LIM outside the limits,
+                ERR_NORUNUNIT if its device has no contact.
         """
+        self.require_contact(name)
         signal = self._declared.get(name.lower())
         if signal is None:
             return

@@ -24,6 +24,7 @@ class EventKind(StrEnum):
     GUIDANCE = "guidance"
     CORNER = "corner"
     LIMIT = "limit"
+    FAULT = "fault"
 
 
 @value_class(frozen=True, slots=True, repr=False)

@@ -50,7 +50,12 @@ def task_setups(
         if task in movers or (number is None and len(tasks) == 1):
             number = given
         setup = TaskSetup(
-            task.name, task.program, kind=listed.kind, written=task.written, queue=listed.queue
+            task.name,
+            task.program,
+            kind=listed.kind,
+            written=task.written,
+            queue=listed.queue,
+            events=listed.events,
         )
         if number is not None:
             given += 1

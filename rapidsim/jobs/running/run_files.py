@@ -28,6 +28,7 @@ from rapidsim.jobs.inputs.task_files import program_name, program_title
 from rapidsim.motion.robot.robot import Robot
 from rapidsim.reach.dataflow.written_moves import RunNotFollowedError
 from rapidsim.reach.valueless_persistents import doubt_valueless
+from rapidsim.simulation.live.unattended import has_live_inputs, run_unattended
 from rapidsim.simulation.options import RunOptions
 from rapidsim.simulation.progress import RunInProgress
 from rapidsim.simulation.result_builder import FinishedRun
@@ -210,8 +211,9 @@ def executed(
         ProgramRejectedError: If a program cannot be translated to executable code.
         InputError: If an arm cannot be timed, or no task moves one.
     """
+    run = run_unattended if has_live_inputs(prepared.options) else run_tasks
     try:
-        finished = run_tasks(prepared.setups, prepared.options, watch)
+        finished = run(prepared.setups, prepared.options, watch)
     except NotExecutableError as error:
         raise ProgramRejectedError((*prepared.diagnostics, error.diagnostic)) from None
     return as_named(prepared, finished)

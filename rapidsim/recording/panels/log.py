@@ -28,6 +28,7 @@ _EVENT_LEVELS = {
     EventKind.GUIDANCE: "INFO",
     EventKind.CORNER: "WARN",
     EventKind.LIMIT: "WARN",
+    EventKind.FAULT: "WARN",
     EventKind.ERROR: "WARN",
 }
 _LOST_ERRORS = (ErrorOutcome.FELL_THROUGH, ErrorOutcome.ENDED)

@@ -12,6 +12,8 @@ from typing import Final
 
 from aiohttp import web
 
+from rapidsim.controller.cell.faults import Channel, FailureKind
+from rapidsim.server.http.client_faults import REQUEST_KINDS, ClientFaults
 from rapidsim.server.http.connections import ClientConnection, Connections
 from rapidsim.server.http.dialect import Dialect
 from rapidsim.server.http.failed_logins import FailedLogins
@@ -24,8 +26,11 @@ from rapidsim.server.link import EngineEndedError, Link
 from rapidsim.server.messages import (
     Answer,
     ChangeEvent,
+    ConnectionFaults,
+    ConsoleLine,
     ErrorAnswer,
     Notification,
+    Restarted,
     SessionEnded,
 )
 from rapidsim.server.resources.codes import NOT_FOUND
@@ -33,6 +38,8 @@ from rapidsim.server.settings import NO_LATENCIES
 
 Handler = Callable[[web.Request], Awaitable[web.StreamResponse]]
 _SESSION: Final = web.RequestKey("session", Session)
+_IS_REPEATED: Final = web.RequestKey("is_repeated", bool)
+"""Whether the request arrives twice."""
 _DIALECT: Final = web.AppKey("dialect", Dialect)
 
 
@@ -49,6 +56,7 @@ class HttpFrontend:
     latencies_s: Mapping[str, float] = field(default_factory=lambda: NO_LATENCIES)
     """Time [s] until an operation is answered, by its name."""
     connections: Connections = field(default_factory=Connections)
+    faults: ClientFaults = field(default_factory=ClientFaults)
     sessions: Sessions = field(init=False)
     groups: SubscriptionGroups = field(init=False)
     _failed_logins: FailedLogins = field(default_factory=FailedLogins)
@@ -57,7 +65,8 @@ class HttpFrontend:
     def __post_init__(self) -> None:
         """Start without sessions."""
         self.sessions = Sessions(self.most_sessions, self.idle_s, self._session_ended)
-        self.groups = SubscriptionGroups(self.link.request)
+        self.groups = SubscriptionGroups(self.link.request, self.faults)
+        self.connections.refuses = self.faults.refuses_connection
 
     def app(self, dialect: Dialect) -> web.Application:
         """Return the application of a generation, whose one handler handles every request."""
@@ -68,9 +77,18 @@ class HttpFrontend:
         return app
 
     def notify(self, notification: Notification) -> None:
-        """Pass a change to the websocket of its group."""
-        if isinstance(notification, ChangeEvent):
-            self.groups.notify(notification)
+        """Pass a change to the websocket of its group; let connections fail."""
+        match notification:
+            case ChangeEvent():
+                self.groups.notify(notification)
+            case ConnectionFaults(faults):
+                self.faults.begin(faults)
+            case Restarted(down_s):
+                self.faults.go_down(down_s)
+                self.sessions.end_all()
+                self.connections.abort_all()
+            case ConsoleLine():
+                self.noted(notification.text)
 
     @property
     def counts(self) -> tuple[int, int]:
@@ -82,8 +100,15 @@ class HttpFrontend:
         """Mark the connection as serving a request, whose outcome is always an answer."""
         connection = self.connections.of(request.protocol)
         connection.begin_request()
+        acting = self.faults.acting(Channel.HTTP, *REQUEST_KINDS)
+        if FailureKind.DROP in acting:
+            connection.abort()
+            return web.Response(status=400)
+        request[_IS_REPEATED] = FailureKind.DUPLICATE in acting
         try:
             response = await self._admitted(request, handler, connection)
+            if FailureKind.DELAY in acting:
+                await asyncio.sleep(acting[FailureKind.DELAY].by_s)
             if not response.prepared:
                 response.headers.update(self._cross_origin_headers(request))
             return response
@@ -206,6 +231,8 @@ class HttpFrontend:
             request, path, request[_SESSION].number, dialect.generation, is_file=has_content
         )
         reply = await self.link.request(message)
+        if request[_IS_REPEATED]:
+            reply = await self.link.request(message)
         operation = message.action or path.rpartition("/")[2]
         if request.method == "POST" and operation in self.latencies_s:
             await asyncio.sleep(self.latencies_s[operation])

@@ -21,6 +21,9 @@ HEAD_S: Final = 10.0
 LOGIN_S: Final = 30.0
 """Time [s] in which a request must have been admitted."""
 
+ANSWER_S: Final = 0.1
+"""Time [s] for an answer to be sent before its connection is closed."""
+
 MakeProtocol: TypeAlias = Callable[[], asyncio.Protocol]
 _Owner: TypeAlias = str | int
 """An address, or the number of a session."""
@@ -35,6 +38,8 @@ class Connections:
     most_of_owner: int = MOST_OF_OWNER
     head_s: float = HEAD_S
     login_s: float = LOGIN_S
+    refuses: Callable[[], bool] = lambda: False
+    """Returns whether a new connection is reset at once."""
     _by_owner: dict[_Owner, dict[ClientConnection, None]] = field(default_factory=dict)
     _by_protocol: dict[asyncio.BaseProtocol, ClientConnection] = field(default_factory=dict)
 
@@ -45,6 +50,12 @@ class Connections:
     def __len__(self) -> int:
         """Number of connections."""
         return sum(map(len, self._by_owner.values()))
+
+    def abort_all(self) -> None:
+        """Close all connections, those that serve a request after their answer."""
+        for connections in tuple(self._by_owner.values()):
+            for connection in tuple(connections):
+                connection.end_soon()
 
     def of(self, protocol: asyncio.BaseProtocol) -> ClientConnection:
         """Return the connection of an HTTP protocol."""
@@ -156,6 +167,13 @@ class ClientConnection(asyncio.Protocol):
         """Close at once."""
         if self._transport is not None:
             self._transport.abort()
+
+    def end_soon(self) -> None:
+        """Close, if a request is being served after its answer."""
+        if self.is_active:
+            asyncio.get_running_loop().call_later(ANSWER_S, self.abort)
+        else:
+            self.abort()
 
     def _await_head(self) -> None:
         self._stop_timer()

@@ -11,6 +11,7 @@ import asyncio
 import logging
 import socket
 import ssl
+import struct
 from contextlib import suppress
 from typing import Final, cast
 
@@ -26,6 +27,8 @@ _BACKLOG: Final = 128
 """Number of clients that wait to be accepted."""
 _FULL_S: Final = 0.1
 """Time [s] until the next attempt when the system has no more files for the process."""
+_RESET: Final = struct.pack("ii", 1, 0)
+"""Option of a socket that discards what is unsent when it is closed."""
 _QUIET: Final = logging.getLogger("rapidsim.requests")
 """The library would log each request that it cannot read, with a traceback."""
 _QUIET.disabled = True
@@ -108,6 +111,11 @@ async def _accept(
             accepted, _ = await loop.sock_accept(listening)
         except OSError:
             await asyncio.sleep(_FULL_S)
+            continue
+        if connections.refuses():
+            # Closed so, the client's connection is reset.
+            accepted.setsockopt(socket.SOL_SOCKET, socket.SO_LINGER, _RESET)
+            accepted.close()
             continue
         try:
             with suppress(OSError):

@@ -84,6 +84,11 @@ class Sessions:
                 self._by_cookie.pop(key, None)
             self.ended(session.number)
 
+    def end_all(self) -> None:
+        """End all sessions."""
+        for session in tuple(self._live.values()):
+            self.end(session)
+
     def _drop_idle(self) -> None:
         latest = self.now_s() - self.idle_s
         for session in [one for one in self._live.values() if one.used_s < latest]:

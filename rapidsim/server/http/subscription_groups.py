@@ -9,7 +9,9 @@ from typing import Final, TypeAlias
 
 from aiohttp import WSCloseCode, WSMsgType, web
 
+from rapidsim.controller.cell.faults import Channel, FailureKind
 from rapidsim.server.http.bodies import event_text
+from rapidsim.server.http.client_faults import REQUEST_KINDS, ClientFaults
 from rapidsim.server.http.dialect import Dialect
 from rapidsim.server.http.event_queue import EventQueue
 from rapidsim.server.messages import (
@@ -45,8 +47,19 @@ class _Group:
     resources: int
     waiting: EventQueue = field(default_factory=EventQueue)
     changed: asyncio.Event = field(default_factory=asyncio.Event)
-    has_socket: bool = False
+    transport: asyncio.BaseTransport | None = None
+    """Connection of its websocket; None before it has one."""
     is_over: bool = False
+
+    def add(self, event: ChangeEvent) -> None:
+        """Queue an event for the websocket."""
+        self.waiting.add(event)
+        self.changed.set()
+
+    def break_off(self) -> None:
+        """Break the connection of the websocket, if there is one."""
+        if isinstance(self.transport, asyncio.WriteTransport):
+            self.transport.abort()
 
 
 @dataclass(eq=False)
@@ -55,6 +68,7 @@ class SubscriptionGroups:
 
     request_engine: Ask
     """Sends a message to the engine."""
+    faults: ClientFaults = field(default_factory=ClientFaults)
     _groups: dict[int, _Group] = field(default_factory=dict)
     _last: int = 0
 
@@ -65,9 +79,18 @@ class SubscriptionGroups:
     def notify(self, event: ChangeEvent) -> None:
         """Pass a change to the websocket of its group."""
         group = self._groups.get(event.group)
-        if group is not None:
-            group.waiting.add(event)
-            group.changed.set()
+        if group is None:
+            return
+        acting = self.faults.acting(Channel.WEBSOCKET, *REQUEST_KINDS)
+        if FailureKind.DROP in acting:
+            group.break_off()
+            return
+        delay = acting.get(FailureKind.DELAY)
+        for _ in range(2 if FailureKind.DUPLICATE in acting else 1):
+            if delay is None:
+                group.add(event)
+            else:
+                asyncio.get_running_loop().call_later(delay.by_s, group.add, event)
 
     async def subscribe(
         self, request: web.Request, dialect: Dialect, form: Mapping[str, str], session: int
@@ -108,15 +131,17 @@ class SubscriptionGroups:
         group = self._group(number, session)
         if group is None:
             return dialect.represent(request, _no_group(number))
+        if FailureKind.REFUSE in self.faults.acting(Channel.WEBSOCKET, FailureKind.REFUSE):
+            return web.Response(status=503)
         protocols = (dialect.protocol,)
         socket = web.WebSocketResponse(timeout=_PARTING_S, protocols=protocols, heartbeat=30.0)
         ready = socket.can_prepare(request)
         has_protocol = dialect.clients_may_speak or ready.protocol is not None
-        if not ready.ok or not has_protocol or group.has_socket:
+        if not ready.ok or not has_protocol or group.transport is not None:
             return dialect.represent(
                 request, ErrorAnswer(*BAD_PARAMETER, "this address is for one websocket")
             )
-        group.has_socket = True
+        group.transport = request.transport
         sending: asyncio.Task[None] | None = None
         try:
             await socket.prepare(request)

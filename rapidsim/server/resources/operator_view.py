@@ -70,9 +70,9 @@ def _state(context: RequestContext, query: Fields) -> dict[str, object]:
         "time": round(live.now_s, 3),
         "clock": f"{live.date:%Y-%m-%d %H:%M:%S}",
         "executes": live.executes,
-        "motors": live.motors.value,
-        "mode": live.mode.value,
-        "speed": live.speed_ratio,
+        "motors": live.panel.state.value,
+        "mode": live.panel.mode.value,
+        "speed": live.panel.speed_ratio,
         "cycle": live.cycle.value,
         "tasks": [
             _task(live.task(one.name), one, units.get(one.name, "")) for one in live.task_states()

@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from enum import StrEnum
 from typing import Final
 
+from rapidsim.controller.cell.faults import FailureKind, Fault
 from rapidsim.server.messages import DONE, Answer, Item, Request
 from rapidsim.server.resources.codes import BAD_PARAMETER, refused
 from rapidsim.server.resources.context import RequestContext, chosen, number
@@ -19,6 +21,14 @@ _MODES: Final = {
 }
 
 
+class _RestartMode(StrEnum):
+    """Restarts in the words of clients; all but the first are cold."""
+
+    WARM = "restart"
+    RESET_RAPID = "pstart"
+    RESET_SYSTEM = "istart"
+
+
 def state(context: RequestContext, request: Request) -> Answer:
     """The state of the controller."""
     title = "ctrlstate" if request.generation == 1 else "ctrl-state"
@@ -27,12 +37,20 @@ def state(context: RequestContext, request: Request) -> Answer:
 
 def state_item(context: RequestContext) -> Item:
     """Return the state of the controller as an item."""
-    return Item("pnl-ctrlstate", "ctrlstate", {"ctrlstate": context.live.motors.value})
+    return Item("pnl-ctrlstate", "ctrlstate", {"ctrlstate": context.live.panel.state.value})
 
 
 def set_state(context: RequestContext, request: Request) -> Answer:
     """Switch the motors on or off."""
-    context.live.set_motors(chosen(request.form, "ctrl-state", Motors))
+    context.live.panel.set_motors(chosen(request.form, "ctrl-state", Motors))
+    return DONE
+
+
+def restart(context: RequestContext, request: Request) -> Answer:
+    """Restart the controller: warm, or cold with programs and data as at the start."""
+    is_warm = chosen(request.form, "restart-mode", _RestartMode) is _RestartMode.WARM
+    context.live.faults.add(Fault(kind=FailureKind.RESTART, mode="warm" if is_warm else "cold"))
+    context.live.settle()
     return DONE
 
 
@@ -44,7 +62,7 @@ def mode(context: RequestContext, request: Request) -> Answer:
 
 def mode_item(context: RequestContext) -> Item:
     """Return the operating mode as an item."""
-    return Item("pnl-opmode", "opmode", {"opmode": context.live.mode.value})
+    return Item("pnl-opmode", "opmode", {"opmode": context.live.panel.mode.value})
 
 
 def set_mode(context: RequestContext, request: Request) -> Answer:
@@ -52,7 +70,7 @@ def set_mode(context: RequestContext, request: Request) -> Answer:
     asked = request.form.get("opmode", "").lower()
     if asked not in _MODES:
         raise refused(BAD_PARAMETER, f"`opmode` cannot be `{asked}`")
-    context.live.set_mode(_MODES[asked])
+    context.live.panel.set_mode(_MODES[asked])
     return DONE
 
 
@@ -64,14 +82,14 @@ def speed_ratio(context: RequestContext, request: Request) -> Answer:
 
 def speed_item(context: RequestContext) -> Item:
     """Return the speed ratio as an item."""
-    return Item("pnl-speedratio", "speedratio", {"speedratio": str(context.live.speed_ratio)})
+    return Item("pnl-speedratio", "speedratio", {"speedratio": str(context.live.panel.speed_ratio)})
 
 
 def set_speed_ratio(context: RequestContext, request: Request) -> Answer:
     """Set the speed ratio of later moves."""
     context.require_mastership("rapid", request)
     percent = number(request.form, "speed-ratio")
-    context.live.set_speed_ratio(round(percent))
+    context.live.panel.set_speed_ratio(round(percent))
     return DONE
 
 

@@ -76,7 +76,7 @@ def reset_pointers(context: RequestContext, request: Request, task: str = "") ->
 
 def set_cycle(context: RequestContext, request: Request) -> Answer:
     """Set the cycle mode."""
-    context.live.set_cycle(chosen(request.form, "cycle", Cycle))
+    context.live.cycle = chosen(request.form, "cycle", Cycle)
     return DONE
 
 

@@ -115,12 +115,18 @@ def devices(context: RequestContext, request: Request) -> Answer:
             fields = {
                 "name": name,
                 "lstate": "enabled" if enabled else "disabled",
-                "pstate": "running" if enabled else "stopped",
+                "pstate": _physical_state(context, name, enabled=enabled),
                 "address": one.get("Address", ""),
             }
             title = f"{network}/{name}"
             items.append(Item("ios-device-li", title, fields, href=f"rw/iosystem/devices/{title}"))
     return Answer(resources=tuple(items))
+
+
+def _physical_state(context: RequestContext, device: str, *, enabled: bool) -> str:
+    if device.lower() in context.live.cell.lost_devices:
+        return "error"
+    return "running" if enabled else "stopped"
 
 
 def signal_item(

@@ -114,6 +114,7 @@ _FIRST: Final = (
     Route("POST", "rw/panel/ctrlstate", panel.set_state, "setctrlstate"),
     Route("POST", "rw/panel/opmode", panel.set_mode, "setopmode"),
     Route("POST", "rw/motionsystem", jogging.jog, "jog"),
+    Route("POST", "rw/panel", panel.restart, "restart"),
     Route("POST", _EXECUTION, programs.start, "start"),
     Route("POST", _EXECUTION, programs.start_production, "startprodentry"),
     Route("POST", _EXECUTION, programs.stop, "stop"),
@@ -165,6 +166,7 @@ _SECOND: Final = (
     Route("GET", "rw/panel/ctrl-state", panel.state),
     Route("POST", "rw/panel/ctrl-state", panel.set_state),
     Route("POST", "rw/panel/opmode", panel.set_mode),
+    Route("POST", "rw/panel/restart", panel.restart),
     Route("POST", f"{_EXECUTION}/start", programs.start),
     Route("POST", f"{_EXECUTION}/startprodentry", programs.start_production),
     Route("POST", f"{_EXECUTION}/stop", programs.stop),
@@ -273,22 +275,22 @@ def answered(context: RequestContext, request: Request) -> Answer:
     parts = [part for part in request.path.split("/") if part]
     version = 6 if request.generation == 1 else 7
     routes = ROUTES[8 if version == 7 and context.has_control_stations else version]
-    there = False
+    there = is_readable = False
     for route in routes:
         places = route.matched(parts)
         if places is None:
             continue
-        there = True
+        there, is_readable = True, is_readable or route.method == "GET"
         if route.method == request.method and route.action == request.action:
             try:
                 return route.resource(context, request, **places)
             except RequestRefused as refusal:
                 raise as_answered(refusal, request.generation) from None
+    below = tuple(dict.fromkeys(_below(routes, parts)))
+    if below and request.method == "GET" and not is_readable:
+        return Answer(links=below)
     if there:
         raise refused(BAD_PARAMETER, f"{request.method} {request.path}: no such action here")
-    below = tuple(dict.fromkeys(_below(routes, parts)))
-    if below and request.method == "GET":
-        return Answer(links=below)
     raise refused(NOT_FOUND, f"there is no resource {request.path}")
 
 

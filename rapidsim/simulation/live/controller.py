@@ -8,8 +8,8 @@ from __future__ import annotations
 
 import math
 from collections import deque
-from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass, field, replace
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from dataclasses import InitVar, dataclass, field, replace
 from datetime import datetime, timedelta
 
 from rapidsim.controller.cell.cell import CELL_TASK, Cause, Cell
@@ -23,12 +23,17 @@ from rapidsim.controller.journal.journal import Instant, Journal, Moment
 from rapidsim.diagnostics import Diagnostic
 from rapidsim.files import InputError
 from rapidsim.interpreter.runtime.shared_persistents import SharedPersistents, shared_persistents
+from rapidsim.language.error_log import LoggedError
 from rapidsim.language.errors import Stopped
 from rapidsim.simulation.live import event_log
 from rapidsim.simulation.live.event_log import EventLog, LogEntry
+from rapidsim.simulation.live.faults import LiveFaults
 from rapidsim.simulation.live.live_task import LiveTask
+from rapidsim.simulation.live.panel import Panel
+from rapidsim.simulation.live.restart import restart
 from rapidsim.simulation.live.scheduler import LiveScheduler
 from rapidsim.simulation.live.states import (
+    ControllerState,
     Cycle,
     ExecutionMode,
     Motors,
@@ -38,6 +43,7 @@ from rapidsim.simulation.live.states import (
     StopMode,
     TaskState,
 )
+from rapidsim.simulation.live.system_inputs import SystemInputs
 from rapidsim.simulation.live.system_outputs import status_value
 from rapidsim.simulation.options import RunOptions
 from rapidsim.simulation.result_builder import FinishedRun, build_result
@@ -47,8 +53,6 @@ from rapidsim.simulation.task_run import TaskSetup, require_limits, unit_of
 _SCREEN_LINES = 100
 _REMEMBERED_S = 10.0
 """Motion history [s] kept of a robot: more than any reader, or smoothing, needs."""
-LEAST_RATIO = 1
-"""The speed ratio [%] used in place of 0 %, which is not modelled: the robot would not move."""
 
 
 def _ignore(entry: LogEntry | Event | Diagnostic) -> None:
@@ -67,15 +71,17 @@ class LiveController:
     """Called with each event of the run, once its time is known."""
     on_finding: Callable[[Diagnostic], None] = _ignore
     """Called with each finding that does not end a run, once for each rule and place."""
-    motors: Motors = Motors.ON
-    mode: OperatingMode = OperatingMode.AUTO
+    motors: InitVar[Motors] = Motors.ON
+    mode: InitVar[OperatingMode] = OperatingMode.AUTO
     cycle: Cycle = Cycle.FOREVER
-    speed_ratio: int = 100
     wire: Wire = field(default_factory=NullWire)
     """The network of the programs' sockets."""
     sensors: GuidanceSensors = field(default_factory=NoSensors)
     keeps_all: bool = False
     """Whether all events and motion are kept for `finished`; memory then grows without bound."""
+    has_clients: bool = True
+    """Whether clients answer questions and are the peers of sockets; else the options say who is,
+    and limit the run in wall-clock time."""
     cell: Cell = field(init=False)
     pendant: Pendant = field(init=False, default_factory=Pendant)
     """Questions that wait for an answer."""
@@ -84,38 +90,48 @@ class LiveController:
     external_streams: ExternalStreams = field(init=False)
     mailboxes: OutsideMailboxes = field(init=False)
     log: EventLog = field(init=False)
+    panel: Panel = field(init=False)
     tasks: dict[str, LiveTask] = field(init=False, default_factory=dict)
     """Tasks by folded name, in the order of the station."""
     scheduler: LiveScheduler = field(init=False)
+    faults: LiveFaults = field(init=False)
+    stopped_by: str = ""
+    """Instruction that has stopped the programs last; empty if none has."""
     _journal: Journal = field(init=False)
+    _acts: deque[Callable[[], None]] = field(default_factory=deque)
+    """Acts outside of all programs that are due at the present time."""
+    _is_acting: bool = False
     _ends_with_cycle: bool = False
     _shows_executing: bool = False
     _forgets_s: float = 0.0
     """Time [s] at which the robots' history is discarded next."""
     _events: list[Event] = field(default_factory=list)
 
-    def __post_init__(self) -> None:
+    def __post_init__(self, motors: Motors, mode: OperatingMode) -> None:
         """Switch the controller on.
 
         Raises:
             InputError: If an arm cannot be timed, or no task moves one.
         """
-        self.options = replace(self.options, max_time_s=math.inf, max_wall_s=None)
+        max_wall_s = None if self.has_clients else self.options.max_wall_s
+        self.options = replace(self.options, max_time_s=math.inf, max_wall_s=max_wall_s)
         self._journal = Journal(
             self.setups[0].name, self.keeps_all, on_finding=lambda found: self.on_finding(found)
         )
         self.cell = Cell(self.options.cell, self._journal)
         self.cell.has_clients = True
-        self.cell.pendant = self.pendant
         self.cell.logbook = lambda task, entry, time_s: self.log.written(entry, time_s)
         self.log = EventLog(lambda entry: self.on_log_entry(entry))
+        self.panel = Panel(self, self.log, ControllerState(motors), mode)
         self.scheduler = LiveScheduler(self.cell)
         self.cell.attach_scheduler(self.scheduler)
         self.external_streams = ExternalStreams(self.wire)
-        self.cell.sockets.external = self.external_streams
         self.mailboxes = OutsideMailboxes(self.wire)
-        self.cell.datagrams.outside = self.mailboxes
-        self.cell.sensors = self.sensors
+        if self.has_clients:
+            self.cell.pendant = self.pendant
+            self.cell.sockets.external = self.external_streams
+            self.cell.datagrams.outside = self.mailboxes
+            self.cell.sensors = self.sensors
         arms = [setup.robot for setup in self.setups if setup.robot is not None]
         if not arms:
             raise InputError("no task moves a robot", "give one of them `motion = true`")
@@ -136,15 +152,18 @@ class LiveController:
                 self,
             )
         for task in self.tasks.values():
-            task.begin(0.0, self._refresh)
+            task.begin(0.0, self.panel.refresh_percent)
         self._link_tasks()
         self._show_states()
         # A log is never empty: public clients remember the number of its newest entry.
-        self.log.operational(event_log.OF_MODE[self.mode], self.now_s, "")
-        self.log.operational(event_log.OF_MOTORS[self.motors], self.now_s, "")
+        self.log.operational(event_log.OF_MODE[mode], self.now_s, "")
+        self.log.operational(event_log.OF_STATE[self.panel.state], self.now_s, "")
         for task in self.tasks.values():
             if not task.is_normal:
                 task.start()
+        inputs = {one.name.lower(): one for one in self.options.io.signals if one.action}
+        self.cell.listeners.append(SystemInputs(self, inputs))
+        self.faults = LiveFaults(self, self._journal.for_task(CELL_TASK))
 
     # Time.
 
@@ -169,11 +188,14 @@ class LiveController:
     @property
     def next_due_s(self) -> float:
         """Time [s] of the next event; infinite if there is none."""
-        return self.scheduler.due_s()
+        return self.now_s if self._acts else self.scheduler.due_s()
 
     def step(self, until_s: float) -> bool:
         """Dispatch one event that is due by a time [s]; return whether there was one."""
         stepped = self.scheduler.step(until_s)
+        if self._acts and not self._is_acting:
+            self._act()
+            stepped = True
         if not self.keeps_all and self.now_s >= self._forgets_s:
             self._forgets_s = self.now_s + _REMEMBERED_S
             for task in self.tasks.values():
@@ -195,14 +217,30 @@ class LiveController:
         else:
             self.screen.append(event.message)
 
+    def soon(self, act: Callable[[], None]) -> None:
+        """Do something at the present time, outside of all programs; see `FaultOwner`."""
+        self._acts.append(act)
+
+    def _act(self) -> None:
+        self._is_acting = True
+        try:
+            while self._acts:
+                self._acts.popleft()()
+        finally:
+            self._is_acting = False
+
     def advance(self, until_s: float) -> None:
-        """Advance virtual time to `until_s` [s] and dispatch all events due by then."""
+        """Advance virtual time to a time [s] and dispatch all events due by then."""
         while self.step(until_s):
             pass
 
     def settle(self) -> None:
         """Dispatch all events that are due now."""
         self.advance(self.now_s)
+
+    def restart(self, *, cold: bool) -> None:
+        """Restart; see `restart.restart`."""
+        restart(self, cold=cold)
 
     # Programs.
 
@@ -231,7 +269,7 @@ class LiveController:
         tasks = list(self.normal_tasks)
         if how is not ExecutionMode.CONTINUE and self.scheduler.trace is not None:
             raise RequestRefused(RefusalReason.STATE, "steps are those of the attached debugger")
-        if self.motors is not Motors.ON:
+        if self.panel.state is not ControllerState.MOTORS_ON:
             raise RequestRefused(RefusalReason.STATE, "the motors are off")
         if self.executes:
             raise RequestRefused(RefusalReason.STATE, "the program executes already")
@@ -240,7 +278,7 @@ class LiveController:
         if any(not one.has_pointer for one in tasks):
             raise RequestRefused(RefusalReason.STATE, "the program pointer is lost; set it to main")
         self.cycle = cycle or self.cycle
-        self._ends_with_cycle = False
+        self._ends_with_cycle, self.stopped_by = False, ""
         for task in tasks:
             code = event_log.STARTED_AGAIN if task.has_started else event_log.STARTED_FROM_MAIN
             self.log.operational(code, self.now_s, f"{task.name} has been started.", task.name)
@@ -254,11 +292,7 @@ class LiveController:
             self._ends_with_cycle = True
             return
         on_path = how is not StopMode.INSTRUCTION
-        for task in self.normal_tasks:
-            if task.executes:
-                task.stop(on_path=on_path)
-                text = f"{task.name} has been stopped."
-                self.log.operational(event_log.STOPPED, self.now_s, text, task.name)
+        self._stop_tasks("", on_path=on_path, is_quick=how is StopMode.QUICK)
         self.settle()
         self._show_states()
 
@@ -271,9 +305,17 @@ class LiveController:
         self._require_stopped()
         if not name:
             self.cell.rendezvous = RendezvousTable()
-        for task in [self.task(name)] if name else self.tasks.values():
-            if task.is_normal:
-                task.begin(self.now_s, self._refresh)
+        chosen = [self.task(name)] if name else self.tasks.values()
+        self.begin_tasks([task for task in chosen if task.is_normal])
+
+    def begin_tasks(self, tasks: Iterable[LiveTask], *, keeps_data: bool = True) -> None:
+        """Set the program pointers of tasks to main; persistents keep their values, or do not."""
+        if not keeps_data:
+            shared = self._shared()
+            for task in self.tasks.values():
+                task.shared, task.task = shared, None
+        for task in tasks:
+            task.begin(self.now_s, self.panel.refresh_percent)
         self._link_tasks()
         self._show_states()
 
@@ -306,7 +348,7 @@ class LiveController:
             raise RequestRefused(
                 RefusalReason.STATE, f"{found.name} is neither started nor stopped"
             )
-        found.put_pointer(module, routine, self.now_s, self._refresh)
+        found.put_pointer(module, routine, self.now_s, self.panel.refresh_percent)
         self._link_tasks()
         self._show_states()
 
@@ -318,10 +360,6 @@ class LiveController:
         """
         self._require_stopped()
         return self.task(name)
-
-    def set_cycle(self, cycle: Cycle) -> None:
-        """Set the cycle mode after the end of main."""
-        self.cycle = cycle
 
     def task(self, name: str) -> LiveTask:
         """Return a task by name, in any case.
@@ -350,54 +388,18 @@ class LiveController:
         """States of all tasks, as clients see them."""
         return tuple(task.state() for task in self.tasks.values())
 
-    # The panel.
-
-    def set_motors(self, motors: Motors) -> None:
-        """Switch the motors on, or off, which stops the programs."""
-        if motors is self.motors:
-            return
-        if motors is Motors.OFF:
-            self.stop(StopMode.QUICK)
-        self.motors = motors
-        self.log.operational(event_log.OF_MOTORS[self.motors], self.now_s, "")
-        self._show_states()
-
-    def set_mode(self, mode: OperatingMode) -> None:
-        """Turn the mode key, which stops the programs; to or from AUTO the motors are switched off.
-
-        Raises:
-            RequestRefused: Between AUTO and manual full speed: the key passes manual reduced speed.
-        """
-        if mode is self.mode:
-            return
-        if {mode, self.mode} == {OperatingMode.AUTO, OperatingMode.FULL}:
-            raise RequestRefused(
-                RefusalReason.STATE, "between AUTO and MANF the key goes through MANR"
-            )
-        self.stop(StopMode.QUICK)
-        if OperatingMode.AUTO in (mode, self.mode):
-            self.set_motors(Motors.OFF)
-        self.mode = mode
-        self.log.operational(event_log.OF_MODE[self.mode], self.now_s, "")
-        self._show_states()
-
-    def set_speed_ratio(self, percent: int) -> None:
-        """Set the speed of later moves, in percent of the programmed speed.
-
-        Raises:
-            RequestRefused: Outside 0..100, or if the mode is not automatic.
-        """
-        if not 0 <= percent <= 100:
-            raise RequestRefused(
-                RefusalReason.VALUE, f"a speed ratio of {percent} %; 0..100 are possible"
-            )
-        if self.mode is not OperatingMode.AUTO:
-            raise RequestRefused(
-                RefusalReason.STATE, "the speed ratio is set in automatic mode only"
-            )
-        self.speed_ratio = percent
+    def apply_speed_ratio(self) -> None:
+        """Let later moves have the speed of the panel."""
         for task in self.tasks.values():
-            task.set_speed_ratio(self._refresh)
+            task.set_speed_ratio(self.panel.refresh_percent)
+
+    def panel_changed(self) -> None:
+        """Show a state in system outputs; see `PanelOwner`."""
+        self._show_states()
+
+    def log_error(self, entry: LoggedError) -> None:
+        """Put an entry into the event log, which raises the interrupts that wait for it."""
+        self.cell.log(CELL_TASK, entry, self.now_s)
 
     # Inputs from operators and clients.
 
@@ -434,10 +436,14 @@ class LiveController:
 
     def stop_all(self, reason: str) -> None:
         """Stop all tasks, as one of the programs requests."""
+        self.stopped_by = reason
+        self._stop_tasks(f" by {reason}", on_path=True)
+
+    def _stop_tasks(self, by: str, *, on_path: bool, is_quick: bool = False) -> None:
         for task in self.normal_tasks:
             if task.executes:
-                task.stop(on_path=True)
-                text = f"{task.name} has been stopped by {reason}."
+                task.stop(on_path=on_path, is_quick=is_quick)
+                text = f"{task.name} has been stopped{by}."
                 self.log.operational(event_log.STOPPED, self.now_s, text, task.name)
 
     def cycle_ended(self) -> bool:
@@ -461,10 +467,6 @@ class LiveController:
         self._show_states(failed=task.name)
 
     # Private.
-
-    @property
-    def _refresh(self) -> float:
-        return float(max(self.speed_ratio, LEAST_RATIO))
 
     def _require_stopped(self) -> None:
         if self.executes:
@@ -492,8 +494,7 @@ class LiveController:
                 signal.status,
                 executes=of.executes,
                 failed=has_failed,
-                motors=self.motors,
-                mode=self.mode,
+                panel=self.panel,
             )
             if value is not None and value != self.cell.signals.read(signal.name):
                 self.change_signal(signal.name, value)

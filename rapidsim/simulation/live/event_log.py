@@ -16,7 +16,7 @@ from typing import Final
 from rapidsim.diagnostics import Diagnostic
 from rapidsim.language.error_log import ERROR, STATE, LoggedError
 from rapidsim.library.text import MAX_STRING
-from rapidsim.simulation.live.states import Motors, OperatingMode
+from rapidsim.simulation.live.states import ControllerState, OperatingMode, SafetyStop
 from rapidsim.values import value_class
 
 MOST_ENTRIES: Final = 1000
@@ -27,8 +27,21 @@ DOMAINS: Final = (COMMON, 1, 2, 3, 4, 5, 7, 8, 9, 11, 12, 15)
 _CF: Final = re.compile(r"\d+")
 
 MOTORS_OFF, MOTORS_ON = 10010, 10011
+GUARD_STOP, EMERGENCY_STOP = 10012, 10013
 MANUAL, AUTOMATIC = 10015, 10017
-OF_MOTORS: Final = {Motors.OFF: MOTORS_OFF, Motors.ON: MOTORS_ON}
+WARM_STARTED, COLD_STARTED = 10045, 10046
+OF_STATE: Final = {
+    ControllerState.MOTORS_OFF: MOTORS_OFF,
+    ControllerState.MOTORS_ON: MOTORS_ON,
+    ControllerState.GUARD_STOP: GUARD_STOP,
+    ControllerState.EMERGENCY_STOP: EMERGENCY_STOP,
+}
+OF_CHAIN: Final = {
+    SafetyStop.EMERGENCY: LoggedError(2.0, 202.0, ERROR, "Emergency stop open"),
+    SafetyStop.AUTOMATIC: LoggedError(2.0, 205.0, ERROR, "Automatic stop open"),
+    SafetyStop.GENERAL: LoggedError(2.0, 206.0, ERROR, "General stop open"),
+}
+"""Entries about the safety chain; 20202 and 20206 are from memory."""
 OF_MODE: Final = {one: AUTOMATIC if one is OperatingMode.AUTO else MANUAL for one in OperatingMode}
 STARTED_FROM_MAIN, STARTED_AGAIN = 10150, 10151
 STOPPED = 10125
@@ -37,6 +50,10 @@ EXECUTION_ERROR = 10020
 _TITLES: Final = {
     MOTORS_OFF: "Motors OFF state",
     MOTORS_ON: "Motors ON state",
+    GUARD_STOP: "Safety guard stop state",
+    EMERGENCY_STOP: "Emergency stop state",
+    WARM_STARTED: "System restarted",
+    COLD_STARTED: "System cold started",
     MANUAL: "Manual mode selected",
     AUTOMATIC: "Automatic mode confirmed",
     STARTED_FROM_MAIN: "Program started",

@@ -20,7 +20,12 @@ from rapidsim.motion.geometry.segments import Waypoint
 from rapidsim.motion.guidance.joint_law import CYCLE_S, GuidedAxes
 from rapidsim.motion.guidance.return_motion import return_motion
 from rapidsim.motion.trajectory.guided_section import GuidedSection
-from rapidsim.simulation.live.states import Motors, OperatingMode, RefusalReason, RequestRefused
+from rapidsim.simulation.live.states import (
+    ControllerState,
+    OperatingMode,
+    RefusalReason,
+    RequestRefused,
+)
 
 if TYPE_CHECKING:
     from rapidsim.simulation.live.controller import LiveController
@@ -89,9 +94,9 @@ def _object(wobj: WobjData) -> Transform:
 
 def reason_against_jogging(live: LiveController, task: LiveTask) -> str | None:
     """Return why a robot cannot be jogged at present; None if it can."""
-    if live.mode is OperatingMode.AUTO:
+    if live.panel.mode is OperatingMode.AUTO:
         return "jogging needs manual mode"
-    if live.motors is not Motors.ON:
+    if live.panel.state is not ControllerState.MOTORS_ON:
         return "the motors are off"
     if live.executes:
         return "the program executes"

@@ -30,7 +30,7 @@ from rapidsim.simulation.live.states import (
 from rapidsim.simulation.options import RunOptions
 from rapidsim.simulation.results.simulation import End
 from rapidsim.simulation.task_run import TaskOutcome, TaskRun, TaskSetup, new_task_run, outcome_of
-from rapidsim.station.task_kind import TaskKind
+from rapidsim.station.task_kind import TaskEvent, TaskKind
 from rapidsim.syntax import tree
 
 
@@ -87,6 +87,10 @@ class LiveTask:
     breakpoints: set[tuple[str, int]] = field(default_factory=set)
     """Module, in lower case, and line in it of statements before which the program halts; from the
     next start on."""
+    has_ended: bool = False
+    """Whether main has returned, and not been started again."""
+    _begins_again: bool = False
+    """Whether a start after the end of main lets main begin again."""
     _has_started: bool = False
     _execution: ExecutionMode = ExecutionMode.CONTINUE
     _stepper: Stepper = field(init=False)
@@ -174,6 +178,8 @@ class LiveTask:
         controller.clock.set(now_s)
         controller.execution.stops_all = self.supervisor.stop_all
         controller.execution.resumed = self._continue_execution
+        controller.execution.halted = self._after_stop
+        controller.execution.restarted = self._before_continuing
         self.set_speed_ratio(refresh_percent)
         old, self.failure = self.task, None
         try:
@@ -207,7 +213,7 @@ class LiveTask:
 
     def end(self, now_s: float) -> None:
         """Unload the program; its robot discards the rest of its path."""
-        self._has_started = self.has_pointer = False
+        self._has_started = self.has_pointer = self.has_ended = False
         if not hasattr(self, "run"):
             return
         clock = self.run.controller.clock
@@ -230,7 +236,7 @@ class LiveTask:
 
     def start(self, how: ExecutionMode = ExecutionMode.CONTINUE) -> None:
         """Start at main, or continue where the program stopped: for one step, or until it stops."""
-        self._execution = how
+        self._execution, self._begins_again, self.has_ended = how, self.has_ended, False
         execution, clock = self.run.controller.execution, self.run.controller.clock
         if self._has_started:
             execution.resume()
@@ -240,10 +246,12 @@ class LiveTask:
         clock.set(max(self.scheduler.now_s, clock.pointer_s()))
         self.scheduler.add(self.number, clock, self._execute)
 
-    def stop(self, *, on_path: bool) -> None:
+    def stop(self, *, on_path: bool, is_quick: bool = False) -> None:
         """Stop now; see `TaskExecution.request_stop`."""
         if self._has_started:
-            self.run.controller.execution.request_stop(self.scheduler.now_s, on_path=on_path)
+            self.run.controller.execution.request_stop(
+                self.scheduler.now_s, on_path=on_path, is_quick=is_quick
+            )
             self.scheduler.wake(self.run.controller.clock)
 
     def forget(self, before_s: float) -> None:
@@ -297,6 +305,24 @@ class LiveTask:
             if self._procedure(symbol.name) is not None:
                 yield symbol.name
 
+    def _after_stop(self, is_quick: bool) -> None:
+        """Call the event routines of a stop, but for one at the end of main or of a step."""
+        if not self.has_ended and self._execution is ExecutionMode.CONTINUE:
+            self._call_event_routines(TaskEvent.QUICK_STOP if is_quick else TaskEvent.STOP)
+
+    def _before_continuing(self) -> None:
+        """Call the event routines of a start, but for that of a step."""
+        if self._execution is ExecutionMode.CONTINUE:
+            event = TaskEvent.START if self._begins_again else TaskEvent.RESTART
+            self._call_event_routines(event)
+
+    def _call_event_routines(self, event: TaskEvent) -> None:
+        """Call the routines of an event; those that the program lacks are left out."""
+        for one, name in self.setup.events:
+            if one is event and self.task is not None and self._procedure(name) is not None:
+                with suppress(CycleEnded):
+                    self.task.run(name)
+
     def _procedure(self, name: str) -> RoutineSymbol | None:
         """Procedure of a name, in any case, that needs no arguments; None if there is none."""
         symbol = self.program.routines.get(name.lower())
@@ -318,6 +344,7 @@ class LiveTask:
             assert self.task is not None
             with running():
                 self._continue_execution()
+                self._call_event_routines(TaskEvent.START)
                 while True:
                     routine, self._routine = self._routine, ""
                     if not routine and self._procedure(self.entry) is None:
@@ -333,6 +360,7 @@ class LiveTask:
                         continue
                     with suppress(CycleEnded):
                         self.run.controller.motion.finish()
+                    self.has_ended = True
                     execution.await_restart()
         except (FatalError, MotionError, Stopped) as error:
             ended = outcome_of(error, self.run)

@@ -8,10 +8,31 @@ from rapidsim.values import value_class
 
 
 class Motors(StrEnum):
-    """The states of the motors that can be requested; a simulated controller has no others."""
+    """The states of the motors that can be requested; see `ControllerState`."""
 
     ON = "motoron"
     OFF = "motoroff"
+
+
+class ControllerState(StrEnum):
+    """The state of a controller."""
+
+    MOTORS_ON = "motoron"
+    MOTORS_OFF = "motoroff"
+    GUARD_STOP = "guardstop"
+    """The automatic or the general stop is open."""
+    EMERGENCY_STOP = "emergencystop"
+    EMERGENCY_STOP_RELEASED = "emergencystopreset"
+    """The emergency stop is released, and that is not confirmed yet."""
+
+
+class SafetyStop(Enum):
+    """A part of the safety chain; while it is open, the motors are off."""
+
+    EMERGENCY = auto()
+    AUTOMATIC = auto()
+    """The guard of automatic mode; in manual mode without effect."""
+    GENERAL = auto()
 
 
 class OperatingMode(StrEnum):

@@ -201,6 +201,7 @@ def configured_task(settings: TaskSettings) -> StationTask:
         entry=settings.entry,
         queue=settings.queue,
         refers_late=settings.refers_late,
+        events=settings.events,
     )
 
 

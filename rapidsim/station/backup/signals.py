@@ -20,6 +20,7 @@ from rapidsim.controller.cell.description import (
     SignalDeclaration,
     SignalKind,
     Status,
+    SystemAction,
     mapped_bits,
 )
 from rapidsim.station.backup.cfg_file import SWITCHED_ON, Configuration, Instance
@@ -27,6 +28,14 @@ from rapidsim.station.signals import follows_itself
 
 _MOST_ACTORS = 5
 _OF_UNITS = (Status.UNIT_ACTIVE, Status.UNIT_NOT_MOVING)
+_OTHER_SPELLINGS = {
+    "motoron": SystemAction.MOTORS_ON,
+    "motoroff": SystemAction.MOTORS_OFF,
+    "motoronstart": SystemAction.MOTORS_ON_AND_START,
+    "stopinst": SystemAction.STOP_AT_INSTRUCTION_END,
+    "ppmain": SystemAction.POINTER_TO_MAIN,
+}
+"""Actions of system inputs in other versions, in lower case; all spellings are from memory."""
 _ROBOT = re.compile(r"ROB_\d+", re.IGNORECASE)
 """Units whose states system outputs show."""
 
@@ -47,22 +56,40 @@ def backup_io(types: Configuration) -> tuple[CellIo, tuple[str, ...]]:
     """
     signals = (_signal(one) for one in types.get("EIO_SIGNAL", ()))
     shown, others = _system_outputs(types.get("SYSSIG_OUT", ()))
-    declared = (one and _showing(one, shown) for one in signals)
+    actions, unknown = _system_inputs(types.get("SYSSIG_IN", ()))
+    declared = (one and _acting(_showing(one, shown), actions) for one in signals)
     crosses, remarks = _crosses(types.get("EIO_CROSS", ()))
     io = CellIo(tuple(one for one in declared if one is not None), crosses)
-    return io, (*remarks, *others, *_limit_speed(types.get("SYSSIG_IN", ())))
+    return io, (*remarks, *others, *unknown)
 
 
-def _limit_speed(instances: Iterable[Instance]) -> tuple[str, ...]:
-    """Return a remark for inputs that slow a robot down, which no input of a run does."""
-    names = [
-        f"`{instance.get('signal') or instance.get('name', '')}`"
-        for instance in instances
-        if instance.get("action", "").lower() == "limitspeed"
-    ]
-    if not names:
-        return ()
-    return (f"EIO.cfg: LimitSpeed is not simulated: {', '.join(names)} slows nothing down",)
+def _system_inputs(
+    instances: Iterable[Instance],
+) -> tuple[Mapping[str, tuple[SystemAction, str]], tuple[str, ...]]:
+    """Return the action and the cycle mode of each system input, by folded name, with remarks."""
+    known = {action.lower(): action for action in SystemAction} | _OTHER_SPELLINGS
+    actions: dict[str, tuple[SystemAction, str]] = {}
+    others: dict[str, list[str]] = {}
+    for instance in instances:
+        name, word = _signal_of(instance), instance.get("action", "")
+        if (action := known.get(word.lower())) is not None:
+            actions.setdefault(name.lower(), (action, instance.get("arg1", "")))
+        else:
+            others.setdefault(word, []).append(f"`{name}`")
+    return actions, tuple(
+        f"EIO.cfg: {word} is not simulated: {', '.join(names)} "
+        + ("slows nothing down" if word.lower() == "limitspeed" else "has no effect")
+        for word, names in others.items()
+    )
+
+
+def _acting(
+    signal: SignalDeclaration, actions: Mapping[str, tuple[SystemAction, str]]
+) -> SignalDeclaration:
+    if signal.kind is not SignalKind.DI or signal.name.lower() not in actions:
+        return signal
+    action, cycle = actions[signal.name.lower()]
+    return replace(signal, action=action, cycle=cycle)
 
 
 def _system_outputs(
@@ -73,9 +100,7 @@ def _system_outputs(
     shown: dict[str, _Shown] = {}
     others: dict[str, list[str]] = {}
     for instance in instances:
-        # RobotWare 7 names the signal by the instance itself.
-        name = instance.get("signal") or instance.get("name", "")
-        word = instance.get("status", "")
+        name, word = _signal_of(instance), instance.get("status", "")
         status, unit = known.get(word.lower()), _unit(instance)
         if status is not None and (status not in _OF_UNITS or _ROBOT.fullmatch(unit)):
             shown.setdefault(name.lower(), _Shown(status, instance.get("arg2"), unit))
@@ -85,6 +110,11 @@ def _system_outputs(
         f"EIO.cfg: {word} is not simulated: {', '.join(names)} keeps its value"
         for word, names in others.items()
     )
+
+
+def _signal_of(instance: Instance) -> str:
+    """Return the signal of a system input or output; RobotWare 7 names it by the instance."""
+    return instance.get("signal") or instance.get("name", "")
 
 
 def _unit(instance: Instance) -> str:

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 
 from rapidsim.controller.cell.message_queues import QueueMode, QueueSettings, QueueType
 from rapidsim.station.backup.cfg_file import SWITCHED_ON, Configuration, Instance
-from rapidsim.station.task_kind import TaskKind
+from rapidsim.station.task_kind import TaskEvent, TaskKind
 from rapidsim.values import value_class
 
 
@@ -24,6 +24,8 @@ class TaskSettings:
     queue: QueueSettings
     refers_late: bool
     """Whether it is loaded with unresolved references: -BindRef 0."""
+    events: tuple[tuple[TaskEvent, str], ...] = ()
+    """Event routines, in the order of their calls."""
 
 
 def configured_tasks(configuration: Configuration) -> Mapping[str, TaskSettings]:
@@ -40,8 +42,21 @@ def configured_tasks(configuration: Configuration) -> Mapping[str, TaskSettings]
             task.get("usemechanicalunitgroup"),
             _queue_of(task),
             task.get("bindref") == "0",
+            _events_of(name, configuration.get("CAB_EXEC_HOOKS", ())),
         )
     return found
+
+
+def _events_of(task: str, hooks: Sequence[Instance]) -> tuple[tuple[TaskEvent, str], ...]:
+    """Return the event routines of a task; others than those of `TaskEvent` are left out."""
+    found = []
+    for hook in hooks:
+        event, number = hook.get("shelf", "").upper(), hook.get("seqno", "")
+        is_own = "alltask" in hook or hook.get("task", "").lower() == task.lower()
+        if is_own and event in list(TaskEvent):
+            order = int(number) if number.isdecimal() and len(number) < 10 else 0
+            found.append((order, TaskEvent(event), hook.get("routine", "")))
+    return tuple((event, name) for _, event, name in sorted(found, key=lambda one: one[0]) if name)
 
 
 def _queue_of(task: Instance) -> QueueSettings:
