@@ -71,7 +71,8 @@ def _system_inputs(
     actions: dict[str, tuple[SystemAction, str]] = {}
     others: dict[str, list[str]] = {}
     for instance in instances:
-        name, word = instance.get("signal", ""), instance.get("action", "")
+        name = instance.get("signal") or instance.get("name", "")
+        word = instance.get("action", "")
         if (action := known.get(word.lower())) is not None:
             actions.setdefault(name.lower(), (action, instance.get("arg1", "")))
         else:
