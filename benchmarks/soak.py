@@ -170,27 +170,35 @@ async def crowd(soak: Soak, dice: random.Random) -> None:
     """More sessions than there are, and websockets that vanish."""
     while soak.goes_on():
         many = [soak.client() for _ in range(dice.choice([3, 12, 71]))]
-        statuses = [await soak.asked(one, "GET", "rw/system?json=1") for one in many]
-        if 503 in statuses:
-            soak.note("too many sessions")
-        for one in many[:5]:
-            form = {"resources": "1", "1": "/rw/iosystem/signals/diGo;state", "1-p": "2"}
-            async with one.post(f"{soak.base}/subscription", data=form) as response:
-                where = response.headers.get("Location", "")
-                soak.note(str(response.status))
-            if response.status == 201:
-                with contextlib.suppress(aiohttp.ClientError, TimeoutError):
-                    socket = await one.ws_connect(where, protocols=("robapi2_subscription",))
-                    await asyncio.wait_for(socket.receive(), 1.0)
-                    soak.note("events")
-                    if dice.random() < 0.5:
-                        await socket.close()
-        for one in many:
-            if dice.random() < 0.7:
-                with contextlib.suppress(aiohttp.ClientError):
-                    await soak.asked(one, "GET", "logout")
-            await one.close()
+        try:
+            await crowded(soak, dice, many)
+        finally:
+            for one in many:
+                await one.close()
         await asyncio.sleep(dice.uniform(0.2, 2.0))
+
+
+async def crowded(soak: Soak, dice: random.Random, many: list[aiohttp.ClientSession]) -> None:
+    """A crowd once: some of its clients say goodbye."""
+    statuses = [await soak.asked(one, "GET", "rw/system?json=1") for one in many]
+    if 503 in statuses:
+        soak.note("too many sessions")
+    for one in many[:5]:
+        form = {"resources": "1", "1": "/rw/iosystem/signals/diGo;state", "1-p": "2"}
+        async with one.post(f"{soak.base}/subscription", data=form) as response:
+            where = response.headers.get("Location", "")
+            soak.note(str(response.status))
+        if response.status == 201:
+            with contextlib.suppress(aiohttp.ClientError, TimeoutError):
+                socket = await one.ws_connect(where, protocols=("robapi2_subscription",))
+                await asyncio.wait_for(socket.receive(), 1.0)
+                soak.note("events")
+                if dice.random() < 0.5:
+                    await socket.close()
+    for one in many:
+        if dice.random() < 0.7:
+            with contextlib.suppress(aiohttp.ClientError):
+                await soak.asked(one, "GET", "logout")
 
 
 async def uploader(soak: Soak, dice: random.Random) -> None:

@@ -163,7 +163,6 @@ def test_events_are_delayed_repeated_and_their_websockets_broken(tmp_path: Path)
         assert asyncio.get_running_loop().time() - began_s >= 0.2
         await served.mend()
         await served.fail(kind="drop", on="websocket")
-        await served.post("rw/iosystem/signals/diReset?action=set", lvalue="0")
         message = await socket.receive(timeout=20)
         assert message.type in (aiohttp.WSMsgType.CLOSED, aiohttp.WSMsgType.ERROR)
         await served.mend()

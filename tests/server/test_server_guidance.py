@@ -204,39 +204,52 @@ def test_a_path_is_corrected_and_that_is_lived_again(tmp_path: Path) -> None:
         controller.end()
 
 
-def test_datagrams_are_dropped_refused_repeated_and_delayed(tmp_path: Path) -> None:
+def fail(controller: Driven, kind: str, **keys: object) -> None:
+    reply = controller.engine.reply(BeginFault({"kind": kind, "on": "egm", **keys}))
+    assert isinstance(reply, Answer)
+
+
+def frames(controller: Driven, sensor: Sensor) -> list[int]:
+    """Numbers of the frames of 0.05 s, in which nobody answers."""
+    controller.value("rounds")
+    sensor.frames.clear()
+    sensor.stream.settimeout(0.05)
+    with suppress(TimeoutError):
+        while True:
+            sensor.hear()
+    sensor.stream.settimeout(5.0)
+    return [int(frame["header"]["seqno"]) for frame in sensor.frames]
+
+
+def test_datagrams_are_dropped_refused_and_repeated(tmp_path: Path) -> None:
     with driven(tmp_path) as (controller, sensor):
         controller.start()
-
-        def fail(kind: str, **keys: object) -> None:
-            reply = controller.engine.reply(BeginFault({"kind": kind, "on": "egm", **keys}))
-            assert isinstance(reply, Answer)
-
-        def frames() -> list[int]:
-            """Numbers of the frames of 0.05 s, in which nobody answers."""
-            controller.value("rounds")
-            sensor.frames.clear()
-            sensor.stream.settimeout(0.05)
-            with suppress(TimeoutError):
-                while True:
-                    sensor.hear()
-            sensor.stream.settimeout(5.0)
-            return [int(frame["header"]["seqno"]) for frame in sensor.frames]
-
-        last = frames()[-1]
-        fail("duplicate")
-        twice = frames()
+        last = frames(controller, sensor)[-1]
+        fail(controller, "duplicate")
+        twice = frames(controller, sensor)
         assert twice == sorted([*twice[::2]] * 2)
         controller.engine.reply(EndFaults())
-        fail("drop", count=6)
-        assert frames()[0] == twice[-1] + 7 > last + 7
+        fail(controller, "drop", count=6)
+        assert frames(controller, sensor)[0] == twice[-1] + 7 > last + 7
         answers = sum('"kind": "egm"' in line for line in controller.lines)
-        fail("refuse")
-        fail("delay", by=0.02)
-        while guided(controller):
+        fail(controller, "refuse")
+        for _ in range(6):
             controller.value("rounds")
+            sensor.answer()
+            if guided(controller):
+                controller.hear()
         assert controller.value("outcome") == '"silent TRUE"'
         assert sum('"kind": "egm"' in line for line in controller.lines) <= answers + 1
+        controller.end()
+
+
+def test_datagrams_are_late(tmp_path: Path) -> None:
+    with driven(tmp_path) as (controller, sensor):
+        controller.start()
+        last = frames(controller, sensor)[-1]
+        fail(controller, "delay", by=0.06)
+        assert frames(controller, sensor) == []
+        assert frames(controller, sensor)[0] == last + 1
         controller.end()
 
 

@@ -83,6 +83,7 @@ class HttpFrontend:
                 self.groups.notify(notification)
             case ConnectionFaults(faults):
                 self.faults.begin(faults)
+                self.groups.break_dropped()
             case Restarted(down_s):
                 self.faults.go_down(down_s)
                 self.sessions.end_all()

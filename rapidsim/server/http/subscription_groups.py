@@ -92,6 +92,14 @@ class SubscriptionGroups:
             else:
                 asyncio.get_running_loop().call_later(delay.by_s, group.add, event)
 
+    def break_dropped(self) -> None:
+        """Break the open websockets that a fault drops."""
+        for group in self._groups.values():
+            if group.transport is not None and FailureKind.DROP in self.faults.acting(
+                Channel.WEBSOCKET, FailureKind.DROP
+            ):
+                group.break_off()
+
     async def subscribe(
         self, request: web.Request, dialect: Dialect, form: Mapping[str, str], session: int
     ) -> web.StreamResponse:
