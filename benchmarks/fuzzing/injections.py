@@ -294,6 +294,8 @@ def _is_whole(file: str, data: bytes) -> bool:
         case "csv":
             if len({len(row) for row in csv.reader(io.StringIO(text))}) != 1:
                 return False
+        case _:
+            pass
     return text.endswith("\n")
 
 
