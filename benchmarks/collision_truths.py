@@ -329,7 +329,7 @@ def graze_error(robot: Robot, rng: np.random.Generator) -> float:
     if not found.contacts:
         return np.inf
     first = found.contacts[0].time_s
-    return max(touching[0] - first, first - touching[-1], 0.0)
+    return max(float(touching[0]) - first, first - float(touching[-1]), 0.0)
 
 
 def main() -> None:
