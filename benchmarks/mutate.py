@@ -3,9 +3,10 @@
     python benchmarks/mutate.py collisions --count 40 --seed 1
     python benchmarks/mutate.py server --files 'rapidsim/server/resources/*.py'
 
-Comparisons, arithmetic, conditions, numbers and calls are changed one at a time, in a copy of the
-repository. A first run of the room's tests says which of them execute which line; a changed line is
-judged by these. What survives is printed; some of it is equivalent, which is for a person to say.
+Comparisons, arithmetic, conditions, whole numbers and calls are changed one at a time, in a copy of
+the repository; tolerances, and on which side equality lies, decide little. A first run of the
+room's tests says which of them execute which line; a changed line is judged by these. What survives
+is printed; some of it is equivalent, which is for a person to say.
 """
 
 from __future__ import annotations
@@ -53,10 +54,10 @@ _MOST_TESTS = 25
 _LIMIT_S = 240.0
 _OPPOSITES: Mapping[type[ast.AST], tuple[type[ast.AST], ...]] = MappingProxyType(
     {
-        ast.Lt: (ast.LtE, ast.GtE),
-        ast.LtE: (ast.Lt, ast.Gt),
-        ast.Gt: (ast.GtE, ast.LtE),
-        ast.GtE: (ast.Gt, ast.Lt),
+        ast.Lt: (ast.GtE,),
+        ast.LtE: (ast.Gt,),
+        ast.Gt: (ast.LtE,),
+        ast.GtE: (ast.Lt,),
         ast.Eq: (ast.NotEq,),
         ast.NotEq: (ast.Eq,),
         ast.Is: (ast.IsNot,),
@@ -147,8 +148,6 @@ def _changes(node: ast.expr | ast.stmt) -> Iterator[ast.expr | ast.stmt]:
             yield ast.Constant(not value)
         case ast.Constant(value=int(value)), _:
             yield ast.Constant(value + 1)
-        case ast.Constant(value=float(value)), _:
-            yield ast.Constant(value * 1.5 if value else 1.0)
         case ast.Expr(value=ast.Call()), _:
             yield ast.Pass()
         case _:
@@ -185,8 +184,10 @@ class Copy:
 
     def tests(self, mutant: Mutant) -> list[str]:
         """Return the tests that execute a line; empty if none does."""
-        by_line = self._data.contexts_by_lineno(str(self.folder / mutant.file))
-        contexts = by_line.get(mutant.line, [])
+        file_name = str(self.folder / mutant.file)
+        contexts = self._data.contexts_by_lineno(file_name).get(mutant.line, [])
+        # What runs when a module is imported belongs to no test.
+        is_executed = mutant.line in (self._data.lines(file_name) or ())
         named = sorted((name for name in contexts if name), key=self._lines.__getitem__)
         found = []
         for name in named[:_MOST_TESTS]:
@@ -194,7 +195,7 @@ class Copy:
             file = self._files.get(module.rpartition(".")[2])
             if file is not None:
                 found.append(f"{file}::{function}")
-        return found or (list(self._tests) if contexts else [])
+        return found or (list(self._tests) if is_executed else [])
 
     def kills(self, mutant: Mutant) -> bool:
         """Whether a test notices a change."""
