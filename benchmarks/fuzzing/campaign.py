@@ -5,16 +5,19 @@ from __future__ import annotations
 import json
 import re
 import shutil
+import sys
 import tempfile
 from collections import Counter, defaultdict
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, field, replace
+from itertools import count
 from pathlib import Path
+from types import FrameType
 from typing import Any
 
 from fuzzing.dice import Dice
-from fuzzing.expressions import SPECIAL
+from fuzzing.expressions import PLACED
 from fuzzing.laws import LAWS, Law, journal
 from fuzzing.programs import Made, make
 from fuzzing.sending import GRACE, MAX_WALL, Ended, Failure, send
@@ -28,8 +31,9 @@ RARE_GRACE = 60.0
 MAX_TIME = 30
 FOLDER = "FOLDER"
 """What stands for the folder of the program in the arguments of a failure."""
-SIMULATED = tuple(sorted(k for k, row in ROUTINES.items() if row.simulated and k not in SPECIAL))
+SIMULATED = tuple(sorted(k for k, row in ROUTINES.items() if row.simulated and k not in PLACED))
 LAW = "law"
+COUNTED = 20
 LAWS_EACH = 2
 """Laws that a program is tried with, of those that say something of it."""
 _CALLS = 4
@@ -50,6 +54,8 @@ class Tally:
     """Comparisons that could be made."""
     lawful: int = 0
     """Programs of which a law could be tried."""
+    statements: int = 0
+    """Executed, estimated from one program of `COUNTED`."""
     seconds: dict[str, float] = field(default_factory=lambda: defaultdict(float))
     """Of the processor, by command."""
     codes: Counter[tuple[str, int]] = field(default_factory=Counter)
@@ -66,6 +72,17 @@ class Tally:
         if failure is not None:
             self.fail(number, failure)
         return ended
+
+    def add(self, other: Tally) -> None:
+        """Add what another campaign has seen."""
+        for name in ("programs", "accepted", "clean", "laws", "lawful", "statements"):
+            setattr(self, name, getattr(self, name) + getattr(other, name))
+        for command, seconds in other.seconds.items():
+            self.seconds[command] += seconds
+        self.codes += other.codes
+        self.called += other.called
+        for signature, found in other.failures.items():
+            self.failures.setdefault(signature, []).extend(found)
 
     def fail(self, number: int, failure: Failure) -> None:
         """Keep a failure."""
@@ -100,6 +117,10 @@ def try_program(seed: int, number: int, tally: Tally) -> None:
             return
         tally.accepted += 1
         tally.called.update(_library_calls(made))
+        if number % COUNTED == 0:
+            with _counting_lines() as lines:
+                run(folder, named, "--format", "none")
+            tally.statements += COUNTED * next(lines)
         duration = result["time_s"] or 1.0
         cut = dice.of((1e-9, dice.random() * duration, dice.random() * duration))
         note(*run(folder, named, "--max-time", max(cut, 1e-9), "--format", "table"))
@@ -119,6 +140,27 @@ def try_program(seed: int, number: int, tally: Tally) -> None:
         if compared == LAWS_EACH:
             break
     tally.lawful += bool(compared)
+
+
+@contextmanager
+def _counting_lines() -> Iterator[count[int]]:
+    """Count the lines of RAPID that are executed in here."""
+    lines = count()
+
+    def line(_frame: FrameType, event: str, _argument: object) -> Any:
+        if event == "line":
+            next(lines)
+        return line
+
+    def call(frame: FrameType, _event: str, _argument: object) -> Any:
+        return line if frame.f_code.co_filename.endswith(".mod") else None
+
+    before = sys.gettrace()
+    sys.settrace(call)
+    try:
+        yield lines
+    finally:
+        sys.settrace(before)
 
 
 @dataclass(frozen=True)
