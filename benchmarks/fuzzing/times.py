@@ -31,6 +31,7 @@ from rapidsim.motion.robot.robot import load_robot
 from rapidsim.simulation.options import RunOptions
 from rapidsim.simulation.simulate import simulate
 
+SIMULATED = tuple(sorted(key for key, row in ROUTINES.items() if row.simulated))
 LONGEST_S = 0.05
 """Of the processor, for a call."""
 LONGEST_MOVE_S = 0.25
@@ -93,8 +94,10 @@ def _odd(parameter: Parameter, of: Type) -> tuple[str, ...]:
     name = element.element.name if isinstance(element, types.ArrayOf) else element.name
     if isinstance(element, types.ArrayOf):
         return _ARRAYS.get(name, ()) if len(element.dimensions) == 1 else ()
+    if of == types.ANYTYPE:
+        return ("zq_large", "zq_large{1000000}", "zq_targets")
     if parameter.mode is not ParameterMode.IN:
-        return ("zq_large", "zq_large{1000000}") if of == types.ANYTYPE else ()
+        return ()
     if name in ("num", "dnum"):
         return NUMBERS
     return TEXTS if name == "string" else ()
@@ -248,7 +251,7 @@ def fuzz_times() -> bool:
     ran = tried = 0
     found: list[Slow] = []
     begin = time.process_time()
-    batches = [list(calls_of(row)) for row in ROUTINES.values() if row.simulated]
+    batches = [list(calls_of(ROUTINES[key])) for key in SIMULATED]
     operators = list(operator_calls())
     batches += [operators[at : at + 200] for at in range(0, len(operators), 200)]
     for calls in batches:
