@@ -1,0 +1,173 @@
+"""What the search for contacts rests on: bounds of travel, of overlaps and of what is inside."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from collision_truths import swing
+from laws import cases
+
+from rapidsim import load_robot
+from rapidsim.collisions import shape
+from rapidsim.collisions.body_distance import Bodies
+from rapidsim.collisions.contact import BodyName
+from rapidsim.collisions.convex import ConvexParts
+from rapidsim.collisions.meshes.triangles import checked_triangles
+from rapidsim.collisions.overlap import depths, shortest
+from rapidsim.collisions.scene import (
+    STEP_S,
+    WORLD,
+    Arm,
+    AttachedBody,
+    Body,
+    Pair,
+    Scene,
+    SceneFrame,
+)
+from rapidsim.collisions.self_pairs import random_postures
+from rapidsim.collisions.shape import Filling
+from rapidsim.collisions.travel import LONGEST, Travel
+from rapidsim.frames.transform import Array, Transform
+from rapidsim.motion.trajectory.trajectory import JointSamples
+
+ROBOT = load_robot("irb1600-6-1.2")
+CORNERS = np.array([[x, y, z] for x in (0, 1) for y in (0, 1) for z in (0, 1)], dtype=float) - 0.5
+BOX_FACES = np.array(
+    [
+        *([0, 1, 3], [0, 3, 2], [4, 6, 7], [4, 7, 5], [0, 4, 5], [0, 5, 1]),
+        *([2, 3, 7], [2, 7, 6], [0, 2, 6], [0, 6, 4], [1, 5, 7], [1, 7, 3]),
+    ]
+)
+
+
+def scene_of(at: object, lasts: float) -> Scene:
+    """A tip beside the flange, and a box in its way."""
+    flange = SceneFrame(0, len(ROBOT.joints) + 1)
+    beside = Transform(np.eye(3), np.array([0.1, 0.0, 0.05]))
+    box = Transform(np.eye(3), np.array([0.6, 0.3, 0.8]))
+    bodies = (
+        Body(BodyName("tip", 0), shape.capsule(0.03, 0.2), (AttachedBody(0.0, flange, beside),)),
+        Body(BodyName("box"), shape.box(np.full(3, 0.3)), (AttachedBody(0.0, WORLD, box),)),
+    )
+    arm = Arm(ROBOT, Transform.identity(), at, ((0.0, lasts),))  # type: ignore[arg-type]
+    return Scene((arm,), bodies, (Pair(0, 1, 0, touch_only=False),))
+
+
+def test_no_gap_between_instants_is_below_its_bound() -> None:
+    rng = np.random.default_rng(5)
+    pair = np.zeros(1, dtype=np.int64)
+    for _ in range(cases(100)):
+        ends = ROBOT.lower + rng.random((2, 6)) * (ROBOT.upper - ROBOT.lower)
+        at, lasts = swing(ROBOT, *(0.5 * ends))
+        times = np.arange(0.0, lasts, STEP_S)
+        scene = scene_of(at, lasts)
+        bodies, poses = scene.shapes(), scene.poses(times)
+        travel = Travel(scene, bodies.bounds, poses, pair)
+        for length in (1, 2, 5, LONGEST):
+            start = int(rng.integers(max(1, len(times) - length - 1)))
+            end = min(start + length, len(times) - 1)
+            way, slack = travel.between(pair, pair + start, pair + end)
+            dense = np.linspace(times[start], times[end], 60)
+            row = np.zeros(len(dense), dtype=np.int64)
+            seen = scene.poses(dense).seen(0, 1)
+            gaps = bodies.gaps(row, row + 1, seen, np.full(len(dense), 9.0)).distances_found
+            if gaps.min() > 0.0:
+                assert gaps.min() > 0.5 * (gaps[0] + gaps[-1] - way[0]) - slack[0] - 1e-9
+
+
+def test_bounds_of_travel_are_no_larger_than_need_be() -> None:
+    """Of an axis that turns evenly: arc and angle, and twice the acceleration on the circle."""
+    rate, lasts = 2.0, 1.0
+
+    def at(times: Array) -> JointSamples:
+        joints = np.zeros((len(times), 6))
+        joints[:, 0] = rate * times
+        return JointSamples(np.zeros(len(times), dtype=np.int64), joints, np.zeros((len(times), 0)))
+
+    scene = scene_of(at, lasts)
+    bodies, poses = scene.shapes(), scene.poses(np.arange(0.0, lasts, STEP_S))
+    pair = np.zeros(1, dtype=np.int64)
+    travel = Travel(scene, bodies.bounds, poses, pair)
+    centre = poses.of(0).apply(bodies.bounds.centre[0])[0]
+    reach = float(np.hypot(*centre[:2]) + bodies.bounds.bound[0])
+    way, slack = travel.between(pair, pair + 3, pair + 11)
+    assert way[0] == pytest.approx(8 * rate * STEP_S * reach, rel=1e-3)
+    assert travel.bend(pair, pair + 5)[0] == pytest.approx(2.1 * rate**2 * reach, rel=1e-3)
+    assert slack[0] == pytest.approx(2.1 * rate**2 * reach * STEP_S**2 / 8.0, rel=1e-3)
+
+
+def test_bodies_stir_in_a_move_in_which_they_travel() -> None:
+    def at(times: Array) -> JointSamples:
+        joints = np.zeros((len(times), 6))
+        joints[:, 0] = np.maximum(times - 0.5, 0.0)
+        moves = (times > 0.5).astype(np.int64)
+        return JointSamples(moves, joints, np.zeros((len(times), 0)))
+
+    scene = scene_of(at, 1.0)
+    poses = scene.poses(np.arange(0.0, 1.0, STEP_S))
+    pair = np.zeros(2, dtype=np.int64)
+    travel = Travel(scene, scene.shapes().bounds, poses, pair[:1])
+    assert travel.stirs(pair, pair, np.array([0, 1])).tolist() == [False, True]
+
+
+def test_depths_of_balls_and_boxes_are_known() -> None:
+    rng = np.random.default_rng(3)
+    parts = ConvexParts(
+        [shape.sphere(0.3).parts[0], shape.sphere(0.2).parts[0], shape.box(np.ones(3)).parts[0]]
+    )
+    out = rng.normal(size=(20, 3))
+    out /= np.linalg.norm(out, axis=1)[:, None]
+    apart = rng.uniform(0.05, 0.45, 20)
+    first = np.zeros(20, dtype=np.int64)
+    where = Transform(np.tile(np.eye(3), (20, 1, 1)), out * apart[:, None])
+    deep, way = depths(parts, first, first + 1, where)
+    assert np.allclose(deep, 0.5 - apart)
+    assert np.allclose(way, out)
+    assert np.allclose(shortest(parts, first, first + 1, where), 0.5 - apart)
+    along = np.array([[0.7, 0.1, 0.0], [0.0, -0.9, 0.2], [0.0, 0.0, 0.0]])
+    where = Transform(np.tile(np.eye(3), (3, 1, 1)), along)
+    deep, way = depths(parts, first[:3] + 2, first[:3] + 2, where)
+    assert np.allclose(deep, [0.3, 0.1, 1.0])
+    assert np.allclose(way[:2], [[1.0, 0.0, 0.0], [0.0, -1.0, 0.0]])
+
+
+def test_inside_is_where_a_ray_crosses_the_surface_an_odd_number_of_times() -> None:
+    rng = np.random.default_rng(4)
+    solid = checked_triangles("box", CORNERS, BOX_FACES)
+    assert solid.closed
+    for point in rng.uniform(-0.9, 0.9, (cases(800), 3)):
+        assert shape.is_inside(solid, point) == bool((np.abs(point) < 0.5).all())
+
+
+def test_only_a_piece_inside_another_is_left_out() -> None:
+    def pieces(*boxes: tuple[float, float]) -> int:
+        corners = np.concatenate([CORNERS * size + [at, 0.0, 0.0] for size, at in boxes])
+        faces = np.concatenate([BOX_FACES + 8 * number for number in range(len(boxes))])
+        mesh = checked_triangles("boxes", corners, faces)
+        return len(shape.hull_of_each_piece(mesh).parts)
+
+    assert pieces((1.0, 0.0), (0.5, 0.0)) == 1
+    assert pieces((1.0, 0.0), (0.5, 0.4)) == 2
+    assert pieces((0.5, 0.0), (1.0, 0.0), (0.5, 2.0)) == 2
+
+
+def test_a_ball_of_many_triangles_is_as_far_off_as_a_ball() -> None:
+    ball = shape.sphere(0.5)
+    mesh = checked_triangles("ball", ball.vertices, ball.faces)
+    parts = shape.of_mesh(mesh, Filling.SURFACE).parts
+    assert len(parts) > 300
+    bodies = Bodies([parts, shape.sphere(0.1).parts])
+    out = np.random.default_rng(6).normal(size=(20, 3))
+    out /= np.linalg.norm(out, axis=1)[:, None]
+    row = np.zeros(20, dtype=np.int64)
+    where = Transform(np.tile(np.eye(3), (20, 1, 1)), -1.0 * out)
+    gaps = bodies.gaps(row, row + 1, where, np.full(20, 5.0)).distances_found
+    assert np.allclose(gaps, 0.4, atol=0.03)
+
+
+def test_random_postures_lie_within_limits() -> None:
+    postures = random_postures(ROBOT, 500)
+    assert ((postures >= ROBOT.lower) & (postures <= ROBOT.upper)).all()
+    share = (postures - ROBOT.lower) / (ROBOT.upper - ROBOT.lower)
+    assert (share.min(axis=0) < 0.05).all()
+    assert (share.max(axis=0) > 0.95).all()
