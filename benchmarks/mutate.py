@@ -48,7 +48,11 @@ ROOMS: Mapping[str, tuple[str, ...]] = MappingProxyType(
 """Folders of tests that decide about a room."""
 _COPIED = ("rapidsim", "tests", "benchmarks", "robots", "programs", "docs", "scripts", "editors")
 _FILES = ("pyproject.toml", "README.md", "ARCHITECTURE.md", "CHANGELOG.md")
-_COVERAGE = "[run]\ndynamic_context = test_function\nsource = rapidsim/{room}\nparallel = false\n"
+_COVERAGE = """[run]
+concurrency = thread,greenlet
+dynamic_context = test_function
+source = rapidsim/{room}
+"""
 _MOST_TESTS = 25
 """Tests that judge one change, the ones that execute the fewest lines first."""
 _LIMIT_S = 240.0
