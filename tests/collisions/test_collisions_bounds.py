@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from collision_truths import swing
@@ -171,3 +173,17 @@ def test_random_postures_lie_within_limits() -> None:
     share = (postures - ROBOT.lower) / (ROBOT.upper - ROBOT.lower)
     assert (share.min(axis=0) < 0.05).all()
     assert (share.max(axis=0) > 0.95).all()
+
+
+def test_a_joint_without_limits_is_tried_within_a_turn() -> None:
+    endless = replace(ROBOT.joints[5], lower=-np.inf, upper=np.inf)
+    postures = random_postures(replace(ROBOT, joints=(*ROBOT.joints[:5], endless)), 500)[:, 5]
+    assert postures.min() == pytest.approx(-np.pi, abs=0.1)
+    assert postures.max() == pytest.approx(np.pi, abs=0.1)
+
+
+def test_a_half_space_has_the_cell_above_it() -> None:
+    ground = shape.half_space()
+    assert ground.vertices[:, 2].max() == 0.0
+    assert (ground.vertices[:, :2].min(axis=0) < -20.0).all()
+    assert (ground.vertices[:, :2].max(axis=0) > 20.0).all()
