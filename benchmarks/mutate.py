@@ -46,8 +46,6 @@ ROOMS: Mapping[str, tuple[str, ...]] = MappingProxyType(
     }
 )
 """Folders of tests that decide about a room."""
-_COPIED = ("rapidsim", "tests", "benchmarks", "robots", "programs", "docs", "scripts", "editors")
-_FILES = ("pyproject.toml", "README.md", "ARCHITECTURE.md", "CHANGELOG.md")
 _COVERAGE = """[run]
 concurrency = thread,greenlet
 dynamic_context = test_function
@@ -164,12 +162,13 @@ class Copy:
     def __init__(self, folder: Path, room: str) -> None:
         """Copy what tests need, and learn which of the room's execute which line."""
         self.folder, self._tests = folder, ROOMS[room]
-        for name in _COPIED:
-            shutil.copytree(
-                ROOT / name, folder / name, ignore=shutil.ignore_patterns("__pycache__", "*.nbi")
-            )
-        for name in _FILES:
-            shutil.copyfile(ROOT / name, folder / name)
+        listed = subprocess.run(
+            ["git", "ls-files", "-z"], cwd=ROOT, capture_output=True, check=True
+        )
+        for name in listed.stdout.decode().split("\0"):
+            if name and (ROOT / name).is_file():
+                (folder / name).parent.mkdir(parents=True, exist_ok=True)
+                shutil.copyfile(ROOT / name, folder / name)
         (folder / "coverage.ini").write_text(_COVERAGE.format(room=room), encoding="utf-8")
         self._run("-m", "coverage", "run", "--rcfile=coverage.ini", "-m", "pytest", *self._tests)
         self._data = CoverageData(str(folder / ".coverage"))

@@ -202,6 +202,8 @@ def difference(made: Made, law: Law, tally: Tally, number: int = 0) -> str | Non
             # Where the wall cut a run off is no matter of the program.
             return None
         noted = {"code": code, **journal(law.undone(out))}
+        if law.only_end and noted["end"] != law.only_end and not is_second:
+            return None
         journals.append({key: noted[key] for key in noted if key not in law.ignored})
     tally.laws += 1
     if law.goes_on:

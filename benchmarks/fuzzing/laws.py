@@ -19,6 +19,7 @@ from pathlib import Path
 from fuzzing.dice import Dice
 from fuzzing.programs import STATION, Made
 from fuzzing.scope import PREFIX
+from fuzzing.sending import send
 from rapidsim.cli.exit_codes import ExitCode
 from rapidsim.interpreter.limits import RUNNING_DEPTH, recursion_limit
 from rapidsim.jobs.inputs.run_request import RunRequest
@@ -66,6 +67,8 @@ class Law:
     """How the second runs for some seconds; None for as the first does."""
     ignored: tuple[str, ...] = ()
     """Keys of the journal that may differ."""
+    only_end: str = ""
+    """The only end of the first of which it says anything; empty for any."""
     goes_on: bool = False
     """Whether the second goes on when the first has ended, with more events."""
 
@@ -190,6 +193,13 @@ def _live(folder: Path, named: Sequence[Path], seconds: float) -> tuple[int, str
     return ExitCode.CLEAN, json.dumps(json_of(course_report(run, run.diagnostics)))
 
 
+def _checked(_folder: Path, named: Sequence[Path], _seconds: float) -> tuple[int, str]:
+    """Whether a check finds that the run ends with an error, as the journal of a run says it."""
+    ended, _ = send("check", *named, "--output-format", "json")
+    end = "error" if ended.code == ExitCode.FINDINGS else ""
+    return ended.code, json.dumps({"end": end, "models": {}})
+
+
 def _same(made: Made, dice: Dice) -> tuple[Made, Made] | None:
     return made, made
 
@@ -201,6 +211,13 @@ LAWS = (
     Law("fixing", _same, command="check --fix -v"),
     Law("running again", _same),
     Law("reordering", _reordered),
+    Law(
+        "a check finds what ends a run",
+        _same,
+        second=_checked,
+        only_end="error",
+        ignored=("code", "time_s", "path_mm", "moves", "events", "persistents"),
+    ),
     Law("another process", _same, second=_in_a_process),
     Law(
         "a controller that stays on",
