@@ -15,7 +15,7 @@ import tempfile
 import traceback
 from pathlib import Path
 
-CORPUS, FAILURES = Path("fuzz-corpus"), Path("fuzz-failures")
+CORPUS = Path("fuzz-corpus")
 ALL = "all"
 _MOST_BYTES = 4000
 _ROOMS = (
@@ -32,7 +32,12 @@ def main() -> None:
     import atheris  # noqa: PLC0415 - Optional package.
 
     with atheris.instrument_imports(include=[f"rapidsim.{room}" for room in _ROOMS]):
-        from fuzzing.readers import READERS, Tried  # noqa: PLC0415 - With instruments.
+        from fuzzing.readers import (  # noqa: PLC0415 - With instruments.
+            READERS,
+            Tried,
+            keep,
+            signature_of,
+        )
 
     kinds = list(READERS) if kind == ALL else [kind]
     corpus = CORPUS / kind.replace(" ", "_")
@@ -52,14 +57,11 @@ def main() -> None:
         try:
             readers[number](data[1:])
         except Exception as error:
-            frames = traceback.extract_tb(error.__traceback__)
-            place = f"{Path(frames[-1].filename).name} {frames[-1].lineno}"
-            signature = f"{kinds[number]} {type(error).__name__} {place}"
+            signature = signature_of(kinds[number], error)
             if signature in known:
                 return
             known.add(signature)
-            FAILURES.mkdir(exist_ok=True)
-            (FAILURES / signature.replace(" ", "_")).write_bytes(data[1:])
+            keep(signature, data[1:])
             print(f"{signature}\n{traceback.format_exc(limit=-4)}", flush=True)
 
     arguments = [f"-runs={count}", f"-max_len={_MOST_BYTES}", "-timeout=20", "-rss_limit_mb=3000"]

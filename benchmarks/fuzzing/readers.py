@@ -9,8 +9,10 @@ import io
 import json
 import random
 import struct
+import time
+import traceback
 import zipfile
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
@@ -43,7 +45,7 @@ from rapidsim.station.backup.standalone_configuration import loose_configuration
 from rapidsim.station.read import read_io, read_station
 from rapidsim.syntax.parser import parse
 
-ROOT = Path(__file__).parents[2]
+FAILURES = Path("fuzz-failures")
 _TARGET = "[[600,0,700],[0,0,1,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]]"
 _MODULE = f"""MODULE a
   CONST robtarget p10:={_TARGET};
@@ -353,17 +355,55 @@ def changed(data: bytes, dice: random.Random, others: tuple[bytes, ...]) -> byte
     return data
 
 
+def damaged(kind: str, count: int, seed: int) -> Iterator[bytes]:
+    """Yield the files that a reader begins with, and damaged ones."""
+    seeds, dice = READERS[kind].seeds, random.Random(f"{kind} {seed}")
+    yield from seeds
+    for _ in range(count):
+        yield changed(dice.choice(seeds), dice, seeds)
+
+
 def read_damaged(kind: str, count: int, seed: int) -> None:
     """Let a reader read damaged files.
 
     Raises:
         Exception: Whatever a reader raises that is no error of its user.
     """
-    reader, dice = READERS[kind], random.Random(f"{kind} {seed}")
     with TemporaryDirectory() as folder:
-        tried = Tried(reader, Path(folder))
-        seeds = reader.seeds
-        for data in seeds:
+        tried = Tried(READERS[kind], Path(folder))
+        for data in damaged(kind, count, seed):
             tried(data)
-        for _ in range(count):
-            tried(changed(dice.choice(seeds), dice, seeds))
+
+
+def fuzz_files(count: int, seed: int) -> bool:
+    """Damage files of all kinds, keep what is not refused in words, and print."""
+    failures = 0
+    for kind in READERS:
+        begin, known = time.process_time(), set[str]()
+        with TemporaryDirectory() as folder:
+            tried = Tried(READERS[kind], Path(folder))
+            for data in damaged(kind, count, seed):
+                try:
+                    tried(data)
+                except Exception as error:
+                    signature = signature_of(kind, error)
+                    if signature not in known:
+                        keep(signature, data)
+                        print(f"{signature}\n{traceback.format_exc(limit=-4)}", flush=True)
+                    known.add(signature)
+        failures += len(known)
+        seconds = time.process_time() - begin
+        print(f"{kind:10} {count} files, {seconds:.0f} s, {len(known)} failures", flush=True)
+    return not failures
+
+
+def signature_of(kind: str, error: Exception) -> str:
+    """Where a reader failed; failures with one signature have one cause."""
+    frame = traceback.extract_tb(error.__traceback__)[-1]
+    return f"{kind} {type(error).__name__} {Path(frame.filename).name} {frame.lineno}"
+
+
+def keep(signature: str, data: bytes) -> None:
+    """Keep a file that a reader did not refuse in words."""
+    FAILURES.mkdir(exist_ok=True)
+    (FAILURES / signature.replace(" ", "_")).write_bytes(data)
