@@ -2,18 +2,23 @@
 
 from __future__ import annotations
 
+import json
 from dataclasses import replace
+from pathlib import Path
 
 import numpy as np
 import pytest
 from collision_truths import swing
+from fuzzing.readers import READERS
 from laws import cases
 
 from rapidsim import load_robot
 from rapidsim.collisions import shape
+from rapidsim.collisions.along_motion import _stepped
 from rapidsim.collisions.body_distance import Bodies
 from rapidsim.collisions.contact import BodyName
 from rapidsim.collisions.convex import ConvexParts
+from rapidsim.collisions.meshes.read import read_mesh
 from rapidsim.collisions.meshes.triangles import checked_triangles
 from rapidsim.collisions.overlap import depths, shortest
 from rapidsim.collisions.scene import (
@@ -21,6 +26,7 @@ from rapidsim.collisions.scene import (
     WORLD,
     Arm,
     AttachedBody,
+    Belt,
     Body,
     Pair,
     Scene,
@@ -29,6 +35,7 @@ from rapidsim.collisions.scene import (
 from rapidsim.collisions.self_pairs import random_postures
 from rapidsim.collisions.shape import Filling
 from rapidsim.collisions.travel import LONGEST, Travel
+from rapidsim.frames.euler import Convention, rotation_from_euler
 from rapidsim.frames.transform import Array, Transform
 from rapidsim.motion.trajectory.trajectory import JointSamples
 
@@ -65,10 +72,13 @@ def test_no_gap_between_instants_is_below_its_bound() -> None:
         scene = scene_of(at, lasts)
         bodies, poses = scene.shapes(), scene.poses(times)
         travel = Travel(scene, bodies.bounds, poses, pair)
+        steps = np.arange(len(times) - 1)
+        _, slacks = travel.between(0 * steps, steps, steps + 1)
         for length in (1, 2, 5, LONGEST):
             start = int(rng.integers(max(1, len(times) - length - 1)))
             end = min(start + length, len(times) - 1)
             way, slack = travel.between(pair, pair + start, pair + end)
+            assert slack[0] == slacks[start:end].max()
             dense = np.linspace(times[start], times[end], 60)
             row = np.zeros(len(dense), dtype=np.int64)
             seen = scene.poses(dense).seen(0, 1)
@@ -110,6 +120,70 @@ def test_bodies_stir_in_a_move_in_which_they_travel() -> None:
     pair = np.zeros(2, dtype=np.int64)
     travel = Travel(scene, scene.shapes().bounds, poses, pair[:1])
     assert travel.stirs(pair, pair, np.array([0, 1])).tolist() == [False, True]
+
+
+def test_a_move_of_few_instants_counts_the_steps_around_it() -> None:
+    def at(times: Array) -> JointSamples:
+        joints = np.zeros((len(times), 6))
+        joints[:, 0] = (times > 0.5).astype(float)
+        moves = (times > 0.49).astype(np.int64) + (times > 0.51)
+        return JointSamples(moves, joints, np.zeros((len(times), 0)))
+
+    scene = scene_of(at, 1.0)
+    poses = scene.poses(np.array([*np.arange(0.0, 0.49, STEP_S), 0.5, *np.arange(0.52, 1.0, 0.1)]))
+    pair = np.zeros(3, dtype=np.int64)
+    travel = Travel(scene, scene.shapes().bounds, poses, pair[:1])
+    assert travel.stirs(pair, pair, np.arange(3)).tolist() == [False, True, False]
+
+
+def test_instants_are_a_step_apart_and_every_brief_move_has_one() -> None:
+    brief = np.array([0.1, 0.103, 0.3])
+    times = _stepped(0.05, brief, 0.4)
+    assert times[0] == 0.05
+    assert times[-1] == 0.4
+    assert (np.diff(times) > 0.0).all()
+    assert np.diff(times).max() <= STEP_S + 1e-12
+    assert np.isin(brief, times).all()
+
+
+def test_the_separation_of_crossing_capsules_is_refined() -> None:
+    parts = ConvexParts([shape.capsule(0.3, 2.0).parts[0]])
+    turn = np.array([[0.0, 0.0, 1.0], [0.0, 1.0, 0.0], [-1.0, 0.0, 0.0]])
+    pose = Transform(turn[None], np.array([[0.0, 0.37, 0.0]]))
+    pair = np.zeros(1, dtype=np.int64)
+    assert shortest(parts, pair, pair, pose)[0] == pytest.approx(0.23, abs=1e-3)
+    skew = rotation_from_euler(np.array([[0.4, 0.9, 0.3]]), Convention.ZYX)[0]
+    pose = Transform((skew @ turn)[None], (skew @ [0.0, 0.37, 0.0])[None])
+    deep = shortest(parts, pair, pair, pose)[0]
+    assert deep <= depths(parts, pair, pair, pose)[0][0]
+
+
+def test_a_belt_travels_along_the_x_axis_of_its_switch() -> None:
+    turn = np.array([[0.0, -1.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0]])
+    belt = Belt(
+        Transform(turn, np.array([1.0, 2.0, 3.0])), np.array([0.0, 2.0]), np.array([0.0, 0.5])
+    )
+    frames = belt.frames(np.array([0.0, 1.0, 9.0]))
+    assert np.allclose(frames.translation, [[1.0, 2.0, 3.0], [1.0, 2.25, 3.0], [1.0, 2.5, 3.0]])
+    assert np.allclose(frames.rotation, turn)
+
+
+def test_gltf_without_scenes_is_all_its_meshes(tmp_path: Path) -> None:
+    (seed,) = READERS["gltf"].seeds
+    tree = json.loads(seed)
+
+    def heights() -> list[float]:
+        (tmp_path / "a.gltf").write_text(json.dumps(tree))
+        return sorted(set(read_mesh(tmp_path / "a.gltf", tmp_path).vertices[:, 2].tolist()))
+
+    assert heights() == [1.0]
+    tree["nodes"] = [{"children": [1], "translation": [0, 0, 2]}, tree["nodes"][0]]
+    assert heights() == [3.0]
+    tree["scenes"].append({"nodes": [1]})
+    tree["scene"] = 1
+    assert heights() == [1.0]
+    del tree["scenes"]
+    assert heights() == [0.0]
 
 
 def test_depths_of_balls_and_boxes_are_known() -> None:
