@@ -96,16 +96,26 @@ def input_bytes(file: Path) -> bytes:
             device.
     """
     try:
-        mode = file.stat().st_mode
-        if not stat.S_ISREG(mode):
-            kind = "folder" if stat.S_ISDIR(mode) else "pipe" if stat.S_ISFIFO(mode) else "device"
-            raise InputError(f"{file} is no file but a {kind}")
+        require_regular(file)
         with os.fdopen(os.open(file, os.O_RDONLY | _NEVER_WAIT), "rb") as stream:
             return _bounded(stream, str(file))
     except OSError as error:
         raise unreadable(file, error) from error
     except ValueError as error:
         raise InputError(f"{str(file)!r} is not a file name") from error
+
+
+def require_regular(file: Path) -> None:
+    """Require a regular file, which never keeps its reader waiting.
+
+    Raises:
+        InputError: If it is a folder, pipe or device.
+        OSError: If it is missing, or may not be looked at.
+    """
+    mode = file.stat().st_mode
+    if not stat.S_ISREG(mode):
+        kind = "folder" if stat.S_ISDIR(mode) else "pipe" if stat.S_ISFIFO(mode) else "device"
+        raise InputError(f"{file} is no file but a {kind}")
 
 
 def standard_input() -> bytes:

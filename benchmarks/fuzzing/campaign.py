@@ -5,15 +5,19 @@ from __future__ import annotations
 import json
 import re
 import shutil
+import sys
 import tempfile
 from collections import Counter, defaultdict
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, field, replace
+from itertools import count
 from pathlib import Path
+from types import FrameType
+from typing import Any
 
 from fuzzing.dice import Dice
-from fuzzing.expressions import SPECIAL
+from fuzzing.expressions import PLACED
 from fuzzing.laws import LAWS, Law, journal
 from fuzzing.programs import Made, make
 from fuzzing.sending import GRACE, MAX_WALL, Ended, Failure, send
@@ -27,8 +31,11 @@ RARE_GRACE = 60.0
 MAX_TIME = 30
 FOLDER = "FOLDER"
 """What stands for the folder of the program in the arguments of a failure."""
-SIMULATED = tuple(sorted(k for k, row in ROUTINES.items() if row.simulated and k not in SPECIAL))
+SIMULATED = tuple(sorted(k for k, row in ROUTINES.items() if row.simulated and k not in PLACED))
 LAW = "law"
+COUNTED = 20
+LAWS_EACH = 2
+"""Laws that a program is tried with, of those that say something of it."""
 _CALLS = 4
 _FORMATS = ("full", "concise", "json", "sarif", "github", "junit")
 _TRACES = ("t.csv", "t.parquet", "t.json", "t.ros.json")
@@ -45,6 +52,10 @@ class Tally:
     """Ran, and ended with exit code 0."""
     laws: int = 0
     """Comparisons that could be made."""
+    lawful: int = 0
+    """Programs of which a law could be tried."""
+    statements: int = 0
+    """Executed, estimated from one program of `COUNTED`."""
     seconds: dict[str, float] = field(default_factory=lambda: defaultdict(float))
     """Of the processor, by command."""
     codes: Counter[tuple[str, int]] = field(default_factory=Counter)
@@ -61,6 +72,17 @@ class Tally:
         if failure is not None:
             self.fail(number, failure)
         return ended
+
+    def add(self, other: Tally) -> None:
+        """Add what another campaign has seen."""
+        for name in ("programs", "accepted", "clean", "laws", "lawful", "statements"):
+            setattr(self, name, getattr(self, name) + getattr(other, name))
+        for command, seconds in other.seconds.items():
+            self.seconds[command] += seconds
+        self.codes += other.codes
+        self.called += other.called
+        for signature, found in other.failures.items():
+            self.failures.setdefault(signature, []).extend(found)
 
     def fail(self, number: int, failure: Failure) -> None:
         """Keep a failure."""
@@ -95,15 +117,50 @@ def try_program(seed: int, number: int, tally: Tally) -> None:
             return
         tally.accepted += 1
         tally.called.update(_library_calls(made))
+        if number % COUNTED == 0:
+            with _counting_lines() as lines:
+                run(folder, named, "--format", "none")
+            tally.statements += COUNTED * next(lines)
         duration = result["time_s"] or 1.0
         cut = dice.of((1e-9, dice.random() * duration, dice.random() * duration))
         note(*run(folder, named, "--max-time", max(cut, 1e-9), "--format", "table"))
-    if ended.code == 0:
-        tally.clean += 1
-        law = dice.of(LAWS)
+    tally.clean += ended.code == 0
+    if ended.code not in (0, 1):
+        return
+    # Programs that end with an error keep most laws, too; each program is tried with two.
+    laws = [law for law in LAWS if law.any_end or ended.code == 0]
+    dice.shuffle(laws)
+    compared = 0
+    for law in laws:
+        before = tally.laws
         told = difference(made, law, tally, number)
         if told is not None:
             tally.fail(number, Failure(f"{LAW}: {law.name}", (LAW, law.name), told))
+        compared += tally.laws > before
+        if compared == LAWS_EACH:
+            break
+    tally.lawful += bool(compared)
+
+
+@contextmanager
+def _counting_lines() -> Iterator[count[int]]:
+    """Count the lines of RAPID that are executed in here."""
+    lines = count()
+
+    def line(_frame: FrameType, event: str, _argument: object) -> Any:
+        if event == "line":
+            next(lines)
+        return line
+
+    def call(frame: FrameType, _event: str, _argument: object) -> Any:
+        return line if frame.f_code.co_filename.endswith(".mod") else None
+
+    before = sys.gettrace()
+    sys.settrace(call)
+    try:
+        yield lines
+    finally:
+        sys.settrace(before)
 
 
 @dataclass(frozen=True)
@@ -127,21 +184,47 @@ def difference(made: Made, law: Law, tally: Tally, number: int = 0) -> str | Non
     pair = law.programs(made, Dice(law.name))
     if pair is None:
         return None
-    journals: list[tuple[int, dict[str, object]]] = []
-    for command, one in zip(("", law.command), pair, strict=True):
+    journals: list[dict[str, Any]] = []
+    for is_second, one in enumerate(pair):
         with written(one) as folder:
             note = _Noting(tally, number, folder)
             named = [folder / file for file in one.named]
-            if command:
-                note(*send(*command.split(), *named))
-            ended = note(*run(folder, named, "--format", "json"))
-        if ended.code == ExitCode.LIMIT or (ended.code != 0 and not journals):
+            if law.command and is_second:
+                note(*send(*law.command.split(), *named))
+            if law.second is not None and is_second:
+                (folder / "home").mkdir()
+                code, out = law.second(folder, named, MAX_TIME)
+            else:
+                ended = note(*run(folder, named, "--format", "json"))
+                code, out = ended.code, ended.out
+        may_end_so = code == 0 or is_second or (code == 1 and law.any_end)
+        if code == ExitCode.LIMIT or not may_end_so:
             # Where the wall cut a run off is no matter of the program.
             return None
-        journals.append((ended.code, journal(law.undone(ended.out))))
+        noted = {"code": code, **journal(law.undone(out))}
+        if law.only_end and noted["end"] != law.only_end and not is_second:
+            return None
+        journals.append({key: noted[key] for key in noted if key not in law.ignored})
     tally.laws += 1
+    if law.goes_on:
+        journals = [_rounded(noted) for noted in journals]
+        count = len(journals[0]["events"])
+        journals[1]["events"] = journals[1]["events"][:count]
     one_journal, other = (json.dumps(j, indent=1).splitlines() for j in journals)
     return None if journals[0] == journals[1] else _first_difference(one_journal, other)
+
+
+def _rounded(value: Any) -> Any:
+    """A value of JSON with fewer decimals: plans made in other steps end in other ones."""
+    match value:
+        case float():
+            return round(value, 6)
+        case dict():
+            return {key: _rounded(part) for key, part in value.items()}
+        case list() | tuple():
+            return [_rounded(part) for part in value]
+        case _:
+            return value
 
 
 def run(

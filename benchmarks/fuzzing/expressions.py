@@ -17,10 +17,12 @@ from rapidsim.library.catalogue import ROUTINES
 from rapidsim.library.predefined import DATA, TYPES
 from rapidsim.library.table import LibraryRoutine, Parameter
 
-SPECIAL = ("argname", "callbyvar", "dim", "ispers", "isvar", "present", "type", "startmoveretry")
-"""What looks at how or where it is called; calls of these are written by hand."""
+PLACED = ("present", "startmoveretry")
+"""What stands only in certain places: where a routine has an optional parameter, in a handler."""
 PLAIN_TYPES = ("num", "num", "num", "string", "bool", "pos", "robtarget", "dnum", "orient", "pose")
 SIGNALS = {of.name: f"{of.name.removeprefix('signal')}1" for of in types.SIGNALS}
+_ARRAY = "ArrPar"
+"""The parameter of Dim."""
 DEPTH = 3
 WRONG = 0.05
 """How often an odd argument is one of a wrong kind."""
@@ -33,7 +35,7 @@ def functions() -> dict[str, tuple[LibraryRoutine, ...]]:
     """The simulated functions by the name of the type they give."""
     found: dict[str, list[LibraryRoutine]] = defaultdict(list)
     for key, row in ROUTINES.items():
-        if row.simulated and key not in SPECIAL and row.signature.result is not None:
+        if row.simulated and key not in PLACED and row.signature.result is not None:
             found[resolved(row.signature.result).name].append(row)
     return {name: tuple(rows) for name, rows in found.items()}
 
@@ -44,7 +46,7 @@ def instructions() -> tuple[LibraryRoutine, ...]:
     return tuple(
         row
         for key, row in ROUTINES.items()
-        if row.simulated and key not in SPECIAL and row.signature.result is None
+        if row.simulated and key not in PLACED and row.signature.result is None
     )
 
 
@@ -135,6 +137,8 @@ class Expressions:
 
     def _argument(self, parameter: Parameter, which: float, depth: int) -> str:
         of = parameter.types[int(which * len(parameter.types))]
+        if parameter.name == _ARRAY:
+            return self.place(ArrayOf(self.dice.of((types.NUM, types.STRING)), (None,)), READABLE)
         if of == types.ANYTYPE:
             signal = "signal" in parameter.name.lower()
             of = self.dice.of(types.SIGNALS) if signal else TYPES[self.dice.of(PLAIN_TYPES)]

@@ -3,8 +3,12 @@
 from __future__ import annotations
 
 import re
+import signal
 import time
 from collections.abc import Sequence
+from concurrent.futures import FIRST_COMPLETED, ProcessPoolExecutor, wait
+from itertools import count
+from multiprocessing import get_context
 from pathlib import Path
 
 from fuzzing.campaign import (
@@ -26,24 +30,66 @@ FAILURES = Path("fuzz-failures")
 ATTEMPTS = 400
 ATTEMPTS_AT_HANGS = 40
 _PROGRESS = 100
+_CHUNK = 50
+"""Programs that a process tries before it ends."""
 _TOLD = 60
 """Lines of a traceback that are kept from either end."""
 
 
 def fuzz_programs(seed: int, numbers: Sequence[int]) -> bool:
     """Try programs and print; whether none failed."""
-    tally = Tally()
     begin = time.process_time()
-    for count, number in enumerate(numbers, 1):
+    tally = Tally()
+    for first in range(0, len(numbers), _PROGRESS):
+        tally.add(_tried(seed, numbers[first : first + _PROGRESS]))
+        print(f"{tally.programs} programs, {len(tally.failures)} causes of failure", flush=True)
+    _print(tally, seed, numbers[0], time.process_time() - begin)
+    return not tally.failures
+
+
+def fuzz_nightly(seed: int, begin: int, processes: int) -> bool:
+    """Try programs until Ctrl-C or SIGTERM; print, and whether none failed."""
+    tally, started_s = Tally(), time.monotonic()
+    chunks = (range(first, first + _CHUNK) for first in count(begin, _CHUNK))
+    signal.signal(signal.SIGTERM, signal.default_int_handler)
+    # Each chunk has a fresh process, whose memory ends with it.
+    pool = ProcessPoolExecutor(
+        processes, get_context("spawn"), initializer=_ignore_interrupts, max_tasks_per_child=1
+    )
+    work = [pool.submit(_tried, seed, next(chunks)) for _ in range(processes)]
+    try:
+        while True:
+            done, rest = wait(work, return_when=FIRST_COMPLETED)
+            for future in done:
+                tally.add(future.result())
+            work = [*rest, *(pool.submit(_tried, seed, next(chunks)) for _ in done)]
+            print(
+                f"{tally.programs} programs, about {tally.statements} statements, {tally.laws}"
+                f" laws compared, {len(tally.failures)} causes of failure",
+                flush=True,
+            )
+    except KeyboardInterrupt:
+        pool.shutdown(cancel_futures=True)
+    _print(tally, seed, begin, (time.monotonic() - started_s) * processes)
+    return not tally.failures
+
+
+def _ignore_interrupts() -> None:
+    """Ctrl-C reaches all processes; the first one ends the others, after their chunk."""
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
+
+
+def _tried(seed: int, numbers: Sequence[int]) -> Tally:
+    """Try programs, and keep the smallest that fails so of each new cause."""
+    tally = Tally()
+    for number in numbers:
         known = set(tally.failures)
         try_program(seed, number, tally)
         for signature in set(tally.failures) - known:
             (_, failure), *_ = tally.failures[signature]
-            print(f"{number}: {signature} ({_kept(seed, number, failure)})", flush=True)
-        if count % _PROGRESS == 0:
-            print(f"{count} programs, {len(tally.failures)} causes of failure", flush=True)
-    _print(tally, seed, numbers, time.process_time() - begin)
-    return not tally.failures
+            if not _folder_of(failure).exists():
+                print(f"{number}: {signature} ({_kept(seed, number, failure)})", flush=True)
+    return tally
 
 
 def _kept(seed: int, number: int, failure: Failure) -> Path:
@@ -51,7 +97,7 @@ def _kept(seed: int, number: int, failure: Failure) -> Path:
     made = program(seed, number)
     attempts = ATTEMPTS_AT_HANGS if failure.hangs else ATTEMPTS
     made = shrunk(made, lambda one: _fails_so(one, failure), attempts)
-    folder = FAILURES / re.sub(r"\W+", "_", failure.signature)
+    folder = _folder_of(failure)
     folder.mkdir(parents=True, exist_ok=True)
     for file, text in made.files.items():
         (folder / file).write_text(text, encoding="utf-8")
@@ -60,6 +106,10 @@ def _kept(seed: int, number: int, failure: Failure) -> Path:
     told = "\n".join([f"seed {seed}, program {number}", " ".join(failure.arguments), "", *lines])
     (folder / "failure.txt").write_text(told, encoding="utf-8")
     return folder
+
+
+def _folder_of(failure: Failure) -> Path:
+    return FAILURES / re.sub(r"\W+", "_", failure.signature)
 
 
 def _fails_so(made: Made, failure: Failure) -> bool:
@@ -79,13 +129,13 @@ def _fails_so(made: Made, failure: Failure) -> bool:
     return found.hangs if failure.hangs else found.signature == failure.signature
 
 
-def _print(tally: Tally, seed: int, numbers: Sequence[int], seconds: float) -> None:
-    count = max(tally.programs, 1)
+def _print(tally: Tally, seed: int, begin: int, seconds: float) -> None:
+    programs = max(tally.programs, 1)
     print(
-        f"seed {seed}, programs {numbers[0]} to {numbers[-1]}: {tally.programs} programs,"
-        f" {100 * tally.accepted / count:.0f} % accepted, {100 * tally.clean / count:.0f} % ran"
-        f" clean, {tally.laws} laws compared; {count / seconds:.1f} programs per second of the"
-        f" processor"
+        f"seed {seed}, {tally.programs} programs from {begin} on, about {tally.statements}"
+        f" statements: {100 * tally.accepted / programs:.0f} % accepted,"
+        f" {100 * tally.clean / programs:.0f} % ran clean, {tally.laws} laws compared, on"
+        f" {100 * tally.lawful / programs:.0f} %; {programs / seconds:.1f} programs per second"
     )
     for (command, code), times in sorted(tally.codes.items()):
         print(f"{command} ended {times} times with {code}")

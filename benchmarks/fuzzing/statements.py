@@ -192,18 +192,7 @@ class Statements:
 
     def _special(self, around: Around) -> Lines:
         array = ArrayOf(types.NUM, (None,))
-        return [
-            self.dice.of(
-                (
-                    f"reg1 := Dim({self.write.place(array, ('VAR',))},{self.dice.of('1112')});",
-                    f"TPWrite ArgName({self.write.place(types.NUM, WRITABLE)});",
-                    f"TPWrite Type({self.write.place(TYPES['pos'], WRITABLE)});",
-                    f'IF IsPers({self.write.place(types.NUM, WRITABLE)}) TPWrite "p";',
-                    f'IF IsVar({self.write.place(types.NUM, WRITABLE)}) TPWrite "v";',
-                    f"{array_element(self.write.place(array, ('VAR',)))} := {SIGNALS['signaldi']};",
-                )
-            )
-        ]
+        return [f"{array_element(self.write.place(array, ('VAR',)))} := {SIGNALS['signaldi']};"]
 
     def _if(self, around: Around) -> Lines:
         inside = replace(around, depth=around.depth - 1)

@@ -9,6 +9,8 @@ import sys
 import threading
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager, suppress
+from pathlib import Path
+from traceback import format_exception
 from types import FrameType
 from typing import TYPE_CHECKING, NoReturn
 
@@ -96,9 +98,8 @@ def _code_of(arguments: Sequence[str]) -> int:
     if is_json_requested(arguments):
         return _printing_an_object(arguments, terminal)
     ended = _invoked(arguments, terminal)
-    if terminal.report is not None:
-        print_object(terminal.report)
-    return ended.code if isinstance(ended, _Failure) else ended
+    code = ended.code if isinstance(ended, _Failure) else ended
+    return code if terminal.report is None else _print_report(terminal.report, code, terminal)
 
 
 def _printing_an_object(arguments: Sequence[str], terminal: Terminal) -> int:
@@ -117,9 +118,20 @@ def _printing_an_object(arguments: Sequence[str], terminal: Terminal) -> int:
         report = (
             json_of(ErrorReport(error)) if report is None else {**report, "error": json_of(error)}
         )
-    print_object(report or json_of(TextReport(aside.getvalue())))
+    code = ended.code if isinstance(ended, _Failure) else ended
+    return _print_report(report or json_of(TextReport(aside.getvalue())), code, terminal)
+
+
+def _print_report(report: dict[str, object], code: int, terminal: Terminal) -> int:
+    """Print the object of a command; what JSON cannot represent is a defect."""
+    try:
+        print_object(report)
+    except ValueError as error:
+        failure = _defect(error, terminal)
+        print_object(json_of(ErrorReport(CommandError(failure.message, "", ()))))
+        code = failure.code
     sys.stdout.flush()
-    return ended.code if isinstance(ended, _Failure) else ended
+    return code
 
 
 def _invoked(arguments: Sequence[str], terminal: Terminal) -> _Failure | int:
@@ -144,16 +156,45 @@ def _invoked(arguments: Sequence[str], terminal: Terminal) -> _Failure | int:
         raise
     except BaseException as error:
         # What a run ends with is no `Exception`; should one of those come here, it is a defect too.
-        if isinstance(error, OSError) and error.errno in _UNWRITABLE:
-            # Errors of files have other messages; this one is of standard output.
-            _give_up_output()
-            failure = _Failure(ExitCode.USAGE, f"the output cannot be written: {error.strerror}")
-        else:
+        refusal = _refusal_of_system(error)
+        if refusal is None:
             return _defect(error, terminal)
+        if terminal.verbose:
+            echo("".join(format_exception(error)), err=True)
+        failure = refusal
     echo("error: " + _shortened(failure.message), err=True)
     if failure.help:
         echo(f" help: {failure.help}", err=True)
     return failure
+
+
+def _refusal_of_system(error: BaseException) -> _Failure | None:
+    """The failure where the system refused a file or memory; None for a defect.
+
+    Commands say more of the files that they read and write; this is for all others.
+    """
+    if isinstance(error, MemoryError):
+        return _Failure(ExitCode.LIMIT, "the memory does not suffice")
+    if not isinstance(error, OSError):
+        return None
+    reason = error.strerror or str(error)
+    if error.filename is not None:
+        name = os.fsdecode(error.filename) if isinstance(error.filename, bytes) else error.filename
+        return _Failure(ExitCode.USAGE, f"{name}: {reason}")
+    if error.errno in _UNWRITABLE:
+        _give_up_output()
+        return _Failure(ExitCode.USAGE, f"the output cannot be written: {reason}")
+    if not _has_working_folder():
+        return _Failure(ExitCode.USAGE, "the working folder does not exist any more")
+    return _Failure(ExitCode.USAGE, f"the system refused: {reason}")
+
+
+def _has_working_folder() -> bool:
+    try:
+        Path.cwd()
+    except OSError:
+        return False
+    return True
 
 
 def _defect(error: BaseException, terminal: Terminal) -> _Failure:

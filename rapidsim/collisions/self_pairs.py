@@ -70,7 +70,10 @@ def judged_pairs(robot: Robot, shapes: LinkShapes) -> tuple[tuple[int, int], ...
     """Return the pairs of links of an arm that are checked against each other."""
     stored = None if robot.urdf is None or robot.meshes else robot.urdf.parent / FILE_NAME
     if robot.maker is not None and stored is not None and stored.is_file():
-        return tuple((a, b) for a, b in tomllib.loads(input_text(stored))["judged"])
+        # A shape that cannot be read is reported, and its link is not checked.
+        numbers = {link.number for link in shapes.links}
+        pairs = tomllib.loads(input_text(stored))["judged"]
+        return tuple((a, b) for a, b in pairs if a in numbers and b in numbers)
     return _by_postures(robot, shapes.links)
 
 

@@ -124,7 +124,8 @@ class TaskSynchronisation:
                 f"{move.instruction}: the task {self.coordination.task_name} has no robot; in the "
                 "station file, give it one with `robot` or `motion = true`",
             )
-        if self.unit.team is None and move.sync_id is not None and self.cell.is_shared:
+        is_alone = len(self.coordination.all_tasks()) == 1
+        if self.unit.team is None and move.sync_id is not None and not is_alone:
             why = "without SyncMoveOn before it"
             if self.unit.has_left_team:
                 why = r"after SyncMoveSuspend, or after StorePath without \KeepSync"

@@ -37,7 +37,7 @@ def read_message(stream: IO[bytes]) -> Message | None:
         return None
     try:
         message = json.loads(data)
-    except ValueError as error:
+    except (ValueError, RecursionError) as error:
         raise WireError(f"a message is no JSON: {error}") from None
     if not isinstance(message, dict):
         raise WireError("a message is no JSON object")

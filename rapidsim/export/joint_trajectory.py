@@ -13,7 +13,7 @@ from pathlib import Path
 
 import numpy as np
 
-from rapidsim.export.table import BLOCK, sample_times
+from rapidsim.export.table import BLOCK, UNIT_DECIMALS, rounded, sample_times
 from rapidsim.frames.transform import Array
 from rapidsim.output_files import whole_file
 from rapidsim.simulation.results.sampling import evaluate, joint_rates
@@ -69,7 +69,11 @@ def _columns(robot_run: RobotRun, times: Array) -> tuple[Array, Array, Array]:
     units = np.array([joint.unit for joint in robot_run.robot.joints])
     samples = evaluate(robot_run.trajectory, times)
     speed, acceleration = joint_rates(robot_run.trajectory, samples)
-    return units * samples.joints, units * speed, units * acceleration
+    return (
+        rounded(units * samples.joints, UNIT_DECIMALS),
+        rounded(units * speed),
+        rounded(units * acceleration),
+    )
 
 
 def _point(time_s: float, joints: Array, speed: Array, acceleration: Array) -> dict[str, object]:

@@ -20,6 +20,12 @@ BLOCK = 20_000
 """Number of rows evaluated at once, so that memory does not grow with the run."""
 _SAME_INSTANT_S = 1e-9
 _MM_PER_M = 1000.0
+DECIMALS = 6
+"""Decimals of mm and degrees: fewer than machines agree on, but for rounding ties."""
+SPEED_DECIMALS = 3
+"""Decimals of mm/s: machines agree less on a derivative."""
+UNIT_DECIMALS = 8
+"""Decimals of seconds, of quaternions, and of radians in a joint trajectory."""
 
 
 @value_class(frozen=True, slots=True, eq=False)
@@ -110,11 +116,17 @@ def block(samples: Samples, external: Sequence[ExternalAxis] = ()) -> RowBlock:
     return RowBlock(
         samples.move.tolist(),
         (
-            samples.times,
-            *np.degrees(samples.joints).T,
-            *(samples.external[:, i] * axis.scale for i, axis in enumerate(external)),
-            *(pose.translation * _MM_PER_M).T,
-            *pose.quaternion.T,
-            samples.tcp_speed * _MM_PER_M,
+            rounded(samples.times, UNIT_DECIMALS),
+            *rounded(np.degrees(samples.joints)).T,
+            *(rounded(samples.external[:, i] * axis.scale) for i, axis in enumerate(external)),
+            *rounded(pose.translation * _MM_PER_M).T,
+            *rounded(pose.quaternion, UNIT_DECIMALS).T,
+            rounded(samples.tcp_speed * _MM_PER_M, SPEED_DECIMALS),
         ),
     )
+
+
+def rounded(numbers: Array, decimals: int = DECIMALS) -> Array:
+    """Return numbers as they are written, without negative zeros."""
+    plain: Array = np.round(numbers, decimals) + 0.0
+    return plain

@@ -2,8 +2,9 @@
 
 `.ros.json` writes a ROS joint trajectory instead (`joint_trajectory`).
 
-Numbers are written with enough digits to read the same double back. Angles are in degrees, lengths
-in mm; the TCP is in the robot's base frame, quaternions have the scalar first.
+Numbers are rounded (`table.DECIMALS`), so that files of two machines are equal but for ties, and
+each format reads back as the same doubles. Angles are in degrees, lengths in mm; the TCP is in the
+robot's base frame, quaternions have the scalar first.
 """
 
 from __future__ import annotations
@@ -19,7 +20,15 @@ import numpy as np
 
 from rapidsim.export.joint_trajectory import SUFFIX as JOINT_TRAJECTORY
 from rapidsim.export.joint_trajectory import write_joint_trajectory
-from rapidsim.export.table import DEFAULT_DT, RowBlock, block, blocks, columns, table_widths
+from rapidsim.export.table import (
+    DEFAULT_DT,
+    RowBlock,
+    block,
+    blocks,
+    columns,
+    rounded,
+    table_widths,
+)
 from rapidsim.extras import require
 from rapidsim.files import InputError
 from rapidsim.frames.euler import Convention, euler_from_rotation
@@ -62,7 +71,7 @@ def write_samples(samples: Samples, path: str | Path, convention: Convention) ->
         *columns(samples.joints.shape[1]),
         *(f"{name}_deg" for name in convention.names),
     )
-    angles = np.degrees(euler_from_rotation(samples.base_from_tcp.rotation, convention)) + 0.0
+    angles = rounded(np.degrees(euler_from_rotation(samples.base_from_tcp.rotation, convention)))
     plain = block(samples)
     return _write(Path(path), names, iter([replace(plain, numbers=(*plain.numbers, *angles.T))]))
 

@@ -6,6 +6,7 @@ import sys
 from collections.abc import Iterator
 from contextlib import contextmanager
 from types import FrameType
+from typing import Any, cast
 
 from rapidsim.diagnostics import Diagnostic, Span, Violation
 
@@ -16,7 +17,10 @@ MAX_EXPRESSION = 200
 MAX_BRANCHES = 1000
 """ELSEIF or CASE branches of one statement, which nest in Python."""
 MAX_ARRAY_BYTES = 500_000_000
-"""Memory [bytes] of all arrays that a program declares, once every element has its own value."""
+"""Memory [bytes] of all arrays that a program declares, once every element has its own value; and
+of those of all routines that are active at one time.
+"""
+_POINTER_BYTES = 8
 RUNNING_DEPTH = 10_000
 """Maximum depth of Python calls while a program runs; calls of RAPID routines use no C stack."""
 TRANSLATING_DEPTH = 10_000
@@ -46,6 +50,26 @@ def _calls_so_far() -> int:
         frame = frame.f_back
         calls += 1
     return calls
+
+
+def array_bytes(array: list[Any]) -> int:
+    """Return the memory [bytes] of an array, once every element has its own value."""
+    count, value = 1, cast(object, array)
+    while isinstance(value, list):
+        count *= len(value)
+        value = value[0] if value else None
+    return count * element_bytes(value)
+
+
+def element_bytes(value: object) -> int:
+    """Return the memory [bytes] of an element of an array with a value of its own."""
+    return _POINTER_BYTES + _value_bytes(value)
+
+
+def _value_bytes(value: object) -> int:
+    """Memory [bytes] of a value with its components."""
+    components = value if isinstance(value, tuple) else ()
+    return sys.getsizeof(value) + sum(map(_value_bytes, components))
 
 
 class NotExecutable(Violation, code="E190"):

@@ -16,6 +16,8 @@ from rapidsim.values import value_class
 
 NO_USER_DEF = -1.0
 r"""Value of \UserDef in a message that was sent without it."""
+MOST_BYTES = 3000
+"""Largest size of a message that a queue can be configured for."""
 
 
 class Slot(Protocol):

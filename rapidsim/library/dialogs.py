@@ -264,13 +264,16 @@ def _pressed(
     own: list[str] | None,
     unanswered: float = NO_RESULT,
 ) -> float:
-    keys = _buttons(buttons) if own is None else [(text, n) for n, text in enumerate(own, 1)]
+    keys = _buttons(buttons)
+    texts = [text for text, _ in keys] if own is None else own
 
     def ask(ends: bool) -> int | None:
-        return controller.operator.ask_choice(prompt, [text for text, _ in keys], ends=ends)
+        return controller.operator.ask_choice(prompt, texts, ends=ends)
 
     pressed = answered(controller, name, options, ask, None)
-    return unanswered if pressed is None else float(keys[pressed][1])
+    if pressed is None:
+        return unanswered
+    return keys[pressed][1] if own is None else pressed + 1.0
 
 
 def _buttons(buttons: float | None) -> tuple[tuple[str, float], ...]:

@@ -31,6 +31,7 @@ from rapidsim.language.error_numbers import (
     ERR_RMQ_DIM,
     ERR_RMQ_INVALID,
     ERR_RMQ_INVMSG,
+    ERR_RMQ_MSGSIZE,
     ERR_RMQ_NAME,
     ERR_RMQ_NOMSG,
     ERR_RMQ_TIMEOUT,
@@ -38,13 +39,13 @@ from rapidsim.language.error_numbers import (
     rapid_error,
 )
 from rapidsim.language.errors import NotAllowed
-from rapidsim.language.messages import NO_USER_DEF, Message, MessageKind, Messages, Slot
+from rapidsim.language.messages import MOST_BYTES, NO_USER_DEF, Message, MessageKind, Messages, Slot
 from rapidsim.language.reference import Reference
 from rapidsim.language.types import NUM, ArrayOf, Atomic, Kind, Record, Type, resolved
 from rapidsim.library.fidelity_notes import note_ignored_options
 from rapidsim.library.sockets import DEFAULT_TIME_S, WAIT_FOR_EVER_S
 from rapidsim.library.table import routine, table
-from rapidsim.library.text import parsed_value, value_text
+from rapidsim.library.text import element_count, parsed_value, value_text
 from rapidsim.library.traits import Trait
 
 
@@ -211,6 +212,11 @@ def _message(
     element = _element(of)
     if not _has_value(element):
         raise NotAllowed(f"data of type {element.name} cannot be sent: they have no value")
+    count = element_count(_value_of(data))
+    if count > MOST_BYTES:
+        raise rapid_error(
+            ERR_RMQ_MSGSIZE, f"{count} elements are more than a message of {MOST_BYTES} bytes holds"
+        )
     value = _copy(_value_of(data))
     number = NO_USER_DEF if user_def is None else user_def
     text = value_text(value, of)

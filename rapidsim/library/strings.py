@@ -35,7 +35,7 @@ from rapidsim.language.error_numbers import (
 )
 from rapidsim.language.types import NUM
 from rapidsim.library.table import routine, table
-from rapidsim.library.text import checked, parsed_value, value_text
+from rapidsim.library.text import checked, parsed_value, string_text
 
 _PLACE = re.compile(r"\{(\d+)\}")
 _LATIN_1 = "iso-8859-1"
@@ -86,7 +86,7 @@ def str_format(
 
 def val_to_str(val: AnyType, *, of: ArgumentType = NUM) -> String:
     """A value in RAPID source notation; a string with its quotes."""
-    return checked(value_text(val, of))
+    return string_text(val, of)
 
 
 def str_to_val(str_: String, val: InOut[AnyType], *, of: ArgumentType = NUM) -> Bool:

@@ -50,9 +50,32 @@ def dnum_text(value: float) -> str:
     return f"{value + 0.0:.15G}"
 
 
+def element_count(value: object) -> int:
+    """Return the number of elements of an array; 1 for other values."""
+    count = 1
+    while isinstance(value, list):
+        count *= len(value)
+        value = value[0] if value else None
+    return count
+
+
 def value_text(value: object, of: Type) -> str:
     """A value of any type in source notation, numbers rounded as by ValToStr."""
     return _text(value, of, _rounded_leaf)
+
+
+def string_text(value: object, of: Type) -> str:
+    """A value of any type as a string.
+
+    Raises:
+        RapidError: ERR_STRTOOLNG, if it is longer than a string can be.
+    """
+    count = element_count(value)
+    if count > MAX_STRING:
+        raise rapid_error(
+            ERR_STRTOOLNG, f"the string has more than {count} characters; {MAX_STRING} are possible"
+        )
+    return checked(value_text(value, of))
 
 
 def source_text(value: object, of: Type) -> str:

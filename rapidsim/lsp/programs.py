@@ -11,6 +11,7 @@ from collections.abc import Iterator
 from dataclasses import replace
 from pathlib import Path
 
+from rapidsim.files import InputError, input_bytes
 from rapidsim.jobs.inputs.job import Job, job
 from rapidsim.jobs.inputs.run_request import RunRequest
 from rapidsim.module_files import MODULE_SUFFIXES, backup_among, has_modules
@@ -92,13 +93,13 @@ def _is_one_task(folder: Path) -> bool:
     try:
         files = [one for one in folder.iterdir() if one.suffix.lower() in MODULE_SUFFIXES]
         for file in files:
-            text = file.read_bytes().decode("latin-1")
+            text = input_bytes(file).decode("latin-1")
             mains += bool(_MAIN.search(text))
             for name in _MODULE.findall(text):
                 if name.lower() in names:
                     return False
                 names.add(name.lower())
-    except OSError:
+    except (OSError, InputError):
         return False
     return mains < 2
 

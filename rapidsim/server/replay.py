@@ -8,7 +8,7 @@ from itertools import zip_longest
 from pathlib import Path
 from typing import Final
 
-from rapidsim.files import InputError
+from rapidsim.files import InputError, require_regular
 from rapidsim.interpreter.limits import RUNNING_DEPTH, recursion_limit
 from rapidsim.server.engine import Engine, LockStep
 from rapidsim.server.journal import RecordedSession, read_journal
@@ -32,6 +32,7 @@ def replay_journal(path: Path) -> RecordedSession:
         InputError: If the file does not exist or is not a journal.
     """
     try:
+        require_regular(path)
         with path.open(encoding="utf-8", newline="\n") as file:
             return read_journal(file, str(path))
     except OSError as error:

@@ -236,6 +236,8 @@ def square_index(at: ParseFailure) -> Patch | None:
         else:
             while row.kinds[stop - 1] not in {"RSQB", "SEMICOLON", END}:
                 stop += 1
+            if row.kinds[stop - 1] == END:
+                continue
             indices = [row.token(index) for index in range(opening + 1, stop - 1)]
         span = row.span(opening, stop)
         tokens = (

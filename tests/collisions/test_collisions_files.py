@@ -138,6 +138,14 @@ def test_a_bad_file_is_told_in_one_message(name: str, tmp_path: Path) -> None:
     assert not list(tmp_path.glob("*.rrd"))
 
 
+def test_corners_that_no_triangle_names_are_left_out(tmp_path: Path) -> None:
+    """A cloud of points with one triangle at its end."""
+    corners = "".join(f"v {n} {n * n} 0\n" for n in range(20))
+    (tmp_path / "cloud.obj").write_text(f"{corners}f 18 19 20\n")
+    mesh = read_mesh(tmp_path / "cloud.obj", tmp_path)
+    assert sorted(mesh.vertices[:, 0]) == [17.0, 18.0, 19.0]
+
+
 def test_a_file_is_no_larger_than_it_may_be(tmp_path: Path) -> None:
     with (tmp_path / "vice.stl").open("wb") as stream:
         stream.truncate(51_000_000)

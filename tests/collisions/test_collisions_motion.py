@@ -7,7 +7,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from collision_truths import sheet_error, swing
+from collision_truths import graze_error, sheet_error, swing
 from laws import cases
 
 from rapidsim import load_robot
@@ -34,6 +34,12 @@ FLANGE = SceneFrame(0, len(ROBOT.joints) + 1)
 def test_a_sheet_is_found_at_any_speed_and_in_time() -> None:
     rng = np.random.default_rng(7)
     assert max(sheet_error(ROBOT, rng) for _ in range(cases(40))) < 1e-4
+
+
+def test_a_contact_between_any_two_samples_is_found_while_it_lasts() -> None:
+    """The bound of what may happen in between rests on the square of the time."""
+    rng = np.random.default_rng(9)
+    assert max(graze_error(ROBOT, rng) for _ in range(cases(200))) < 1e-4
 
 
 def test_the_nearest_of_each_move_is_what_looking_all_the_time_finds() -> None:

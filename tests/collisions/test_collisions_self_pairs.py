@@ -9,8 +9,8 @@ import numpy as np
 import pytest
 
 from rapidsim import load_robot
-from rapidsim.collisions.link_shapes import LinkShape
-from rapidsim.collisions.self_pairs import self_pairs
+from rapidsim.collisions.link_shapes import LinkShape, LinkShapes, link_shapes
+from rapidsim.collisions.self_pairs import judged_pairs, self_pairs
 from rapidsim.collisions.shape import sphere
 from rapidsim.frames.transform import Transform
 
@@ -60,3 +60,12 @@ def _balls(room: float, beside: tuple[float, float, float]) -> tuple[LinkShape, 
         LinkShape(1, sphere(0.2).moved(shoulder)),
         LinkShape(3, sphere(ELBOW_M - 0.2 - room).moved(elbow)),
     )
+
+
+def test_a_link_whose_shape_cannot_be_read_is_judged_against_none() -> None:
+    """Its file is refused by the system; the run says so, and goes on with the other links."""
+    whole = link_shapes(ROBOT)
+    pairs = judged_pairs(ROBOT, whole)
+    number = pairs[0][0]
+    rest = LinkShapes(tuple(link for link in whole.links if link.number != number))
+    assert judged_pairs(ROBOT, rest) == tuple(pair for pair in pairs if number not in pair)

@@ -195,3 +195,34 @@ def test_the_disk_of_a_run_has_a_size(tmp_path: Path) -> None:
     with pytest.raises(RapidError, match="the disk is full"):
         file.write(bytes(1_000_000_000))
     home.close_all()
+
+
+LOCAL_ARRAYS = """MODULE job
+  PROC main()
+    FOR i FROM 1 TO {times} DO
+      again {depth};
+    ENDFOR
+  ENDPROC
+  PROC again(num depth)
+    VAR num a{{100000}};
+    VAR string b{{300}};
+    a{{1}}:=depth;
+    IF depth>1 again depth-1;
+    other;
+  ENDPROC
+  PROC other()
+    VAR num a{{100000}};
+    a{{1}}:=1;
+  ENDPROC
+ENDMODULE
+"""
+
+
+@pytest.mark.parametrize(("times", "depth", "code"), [(1, 1000, 1), (40, 10, 0)])
+def test_arrays_of_active_routines_are_bounded(
+    times: int, depth: int, code: int, tmp_path: Path
+) -> None:
+    """A thousand times 3.2 MB at once are too many; those of calls that have ended are not."""
+    it = run(LOCAL_ARRAYS.format(times=times, depth=depth), tmp_path)
+    assert it.code == code
+    assert ("the stack overflowed in again" in it.out) == (code == 1)

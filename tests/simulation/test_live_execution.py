@@ -400,3 +400,12 @@ def test_the_pointer_to_main_closes_the_files_of_its_task_only(tmp_path: Path) -
         live.controller.reset_pointers()
     assert [one.text for one in live.entries if one.type == 3] == []
     assert live.controller.task("T_BACK").executes
+
+
+def test_a_program_of_a_team_that_is_served_alone_moves_as_in_a_run() -> None:
+    live = Live(
+        module("MoveAbsJ [[20,0,0,0,30,0],[9E9,9E9,9E9,9E9,9E9,9E9]]\\ID:=10,v200,fine,tool0;")
+    )
+    live.controller.start(Cycle.ONCE)
+    live.after(5.0)
+    assert live.axis_1() == pytest.approx(0.34906585)

@@ -62,7 +62,10 @@ def test_another_machine_agrees_within_a_ten_millionth(program: str, tmp_path: P
     here, there = folders(tmp_path)
     (report, trace), elsewhere = run(program, here), run(program, there, without=switchable())
     assert_near(list(parts(json.loads(report))), list(parts(json.loads(elsewhere[0]))))
-    assert_near(list(cells(trace)), list(cells(elsewhere[1])))
+    table, other = list(cells(trace)), list(cells(elsewhere[1]))
+    assert_near(table, other)
+    # A tie in rounding is one in a hundred thousand numbers.
+    assert sum(one != another for one, another in zip(table, other, strict=True)) <= 1
 
 
 def folders(place: Path) -> tuple[Path, Path]:

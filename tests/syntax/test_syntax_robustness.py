@@ -51,6 +51,12 @@ def test_no_text_makes_it_fail(text: str) -> None:
     sound(text)
 
 
+@pytest.mark.parametrize("rest", ["x y[1", "x y[n", "x y[", "x:=y[1,n", "x y[1;"])
+def test_a_file_may_end_in_an_index(rest: str) -> None:
+    """The brace in place of a bracket is not put in place of the end."""
+    sound(f"MODULE m\n  PROC p()\n    {rest}")
+
+
 @pytest.mark.parametrize("program", PROGRAMS, ids=lambda program: program.name)
 def test_a_file_cut_anywhere_is_read_to_the_cut(program: Path) -> None:
     text = program.read_text()

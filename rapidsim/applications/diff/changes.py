@@ -165,12 +165,15 @@ class Comparison:
     configuration: tuple[ConfigurationChange, ...] = ()
     not_compared: tuple[str, ...] = ()
     """Notes on parts that only one side has."""
+    recordings_differ: bool = False
+    """Whether the sides are recordings of different content."""
 
     @property
     def is_same(self) -> bool:
         """Whether there is no difference."""
         runs_alike = self.run is None or self.run.is_same
-        return not (self.changes or self.findings or self.configuration) and runs_alike
+        changes = self.changes or self.findings or self.configuration or self.recordings_differ
+        return not changes and runs_alike
 
 
 @value_class(frozen=True, slots=True)

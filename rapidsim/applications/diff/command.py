@@ -69,6 +69,8 @@ class DiffOptions:
 def diff(options: DiffOptions) -> int:
     """Show what changed from A to B: programs, folders, backups, configurations, saved runs.
 
+    Of two recordings it says only whether their content is the same.
+
     With --git, from revision REV of PATH, by default the working folder, to PATH as it is now.
 
     Targets, tools, work objects, speeds, zones, signals and routines; the time of each routine and

@@ -23,7 +23,9 @@ from rapidsim.applications.diff.program_changes import program_changes
 from rapidsim.applications.diff.program_parts import ProgramParts, parts_of
 from rapidsim.applications.diff.run_changes import ProgramRun, run_changes
 from rapidsim.applications.diff.run_record import RunRecord, read_run_record
+from rapidsim.cli.viewer import require_recording
 from rapidsim.diagnostics import Diagnostic, Source
+from rapidsim.extras import require
 from rapidsim.files import InputError, decode, input_bytes
 from rapidsim.jobs.checking.check_files import check_job
 from rapidsim.jobs.inputs.answers import answers_of_file
@@ -68,10 +70,11 @@ def compare(
     answers: str | None = None,
     visible: Shown = str,
 ) -> Comparison:
-    """Compare two programs, configurations or runs.
+    """Compare two programs, configurations, runs or recordings.
 
     Args:
-        old: Request for files, a folder, a backup, a configuration, or the JSON of a run.
+        old: Request for files, a folder, a backup, a configuration, the JSON of a run, or its
+            recording.
         new: Request for the other side.
         run: Whether to run the programs.
         answers: File of the operator's answers in both runs.
@@ -80,6 +83,11 @@ def compare(
     Raises:
         InputError: If an input is missing, unreadable, or not RAPID.
     """
+    recordings = [side.paths[0] for side in (old, new) if _is_recording(side.paths[0])]
+    if len(recordings) == 1:
+        raise InputError(f"{recordings[0]} can only be compared with another recording")
+    if recordings:
+        return _compared_recordings(Path(recordings[0]), Path(recordings[1]), visible)
     a, b = _side(old, run, answers, visible), _side(new, run, answers, str)
     if not run and bool(a.run) != bool(b.run):
         raise InputError("a saved run can only be compared with a run", "leave out --no-run")
@@ -102,6 +110,20 @@ def compare(
         configuration_changes(a.configuration, b.configuration),
         tuple(_not_compared(a, b)),
     )
+
+
+def _is_recording(path: str) -> bool:
+    return path.lower().endswith(".rrd")
+
+
+def _compared_recordings(old: Path, new: Path, visible: Shown) -> Comparison:
+    for file in (old, new):
+        require_recording(file)
+    require("rerun", "the comparison of recordings")
+    from rapidsim.recording.equality import have_same_content
+
+    names = (visible(str(old)), str(new))
+    return Comparison(names, (), (), None, recordings_differ=not have_same_content(old, new))
 
 
 def _not_compared(a: _Side, b: _Side) -> Iterator[str]:

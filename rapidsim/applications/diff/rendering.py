@@ -127,6 +127,8 @@ def blocks(comparison: Comparison) -> Iterator[ReportBlock]:
     """Yield the report, one block per subject."""
     if comparison.is_same:
         yield ReportBlock(SAME)
+    if comparison.recordings_differ:
+        yield ReportBlock("Recording", ("the content differs",))
     run = comparison.run
     named = any(one.key.lower() in _OF_THE_ARM for one in comparison.configuration)
     if run is not None and run.robots[0] != run.robots[1] and not named:

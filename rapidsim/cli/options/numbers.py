@@ -4,9 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from math import isfinite
-from typing import Any
+from typing import Any, Final
 
 import click
+
+LARGEST: Final = 1e12
+"""Largest magnitude of a number: a mm is a thousand-millionth of it, and its cube is finite."""
 
 
 class NumberOption(click.FloatRange):
@@ -17,7 +20,7 @@ class NumberOption(click.FloatRange):
     def convert(
         self, value: Any, param: click.Parameter | None, ctx: click.Context | None
     ) -> float:
-        """Read it, and refuse what is not a number, infinite or outside."""
+        """Read it, and refuse what is not a number, infinite, huge or outside."""
         number = _number(str(value), str(value))
         return float(super().convert(number, param, ctx))
 
@@ -79,4 +82,6 @@ def _number(part: str, text: str) -> float:
         raise click.BadParameter(f"`{part}`{within} is not a number") from None
     if not isfinite(number):
         raise click.BadParameter(f"`{part}`{within} is not a finite number")
+    if abs(number) > LARGEST:
+        raise click.BadParameter(f"`{part}`{within} is beyond {LARGEST:g}")
     return number

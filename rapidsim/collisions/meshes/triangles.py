@@ -48,8 +48,10 @@ def checked_triangles(name: str, vertices: Array, faces: Faces) -> Triangles:
         raise InputError(f"{name} has no triangles")
     if faces.min() < 0 or faces.max() >= len(vertices):
         raise InputError(f"{name} is damaged: a triangle refers to a corner that does not exist")
-    vertices = vertices[np.unique(faces)] if len(vertices) > 3 * len(faces) else vertices
-    used = vertices[np.unique(faces)] if faces.max() < len(vertices) else vertices
+    if len(vertices) > 3 * len(faces):
+        named, back = np.unique(faces, return_inverse=True)
+        vertices, faces = vertices[named], back.reshape(-1, 3)
+    used = vertices[np.unique(faces)]
     if not np.isfinite(used).all() or np.abs(used).max() > 1e9:
         raise InputError(f"{name} is damaged: a corner has no finite position")
     size = float(np.ptp(used, axis=0).max())

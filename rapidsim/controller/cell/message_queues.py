@@ -21,10 +21,10 @@ from rapidsim.language.error_numbers import (
     ERR_RMQ_MSGSIZE,
     rapid_error,
 )
-from rapidsim.language.messages import Message, MessageKind, Slot
+from rapidsim.language.messages import MOST_BYTES, Message, MessageKind, Slot
 from rapidsim.values import value_class
 
-LEAST_BYTES, MOST_BYTES = 400, 3000
+LEAST_BYTES = 400
 MOST_MESSAGES = 10
 
 

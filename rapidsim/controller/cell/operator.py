@@ -56,9 +56,8 @@ class OperatorDialog:
         self, prompt: str, choices: Sequence[str], *, ends: bool = False
     ) -> OperatorAnswer[int] | None:
         """The index of a key, answered by its text or by its number from 1; "" is no key."""
-        keys = [index for index, text in enumerate(choices) if text]
-        first = keys[0] if keys else 0
-        offered = f"{prompt} {' / '.join(choices[index] for index in keys)}"
+        first = next((index for index, text in enumerate(choices) if text), 0)
+        offered = f"{prompt} {' / '.join(filter(None, choices))}"
         text = self._read_answer(offered)
         while text is not None:
             index = parse_key(text, choices)

@@ -11,6 +11,7 @@ from __future__ import annotations
 import ast
 from collections.abc import Collection, Sequence, Set
 from dataclasses import dataclass
+from math import prod
 from typing import NoReturn
 
 from rapidsim.analysis.program import (
@@ -42,6 +43,7 @@ from rapidsim.interpreter.codegen.intervals import Interval, counted, step_direc
 from rapidsim.interpreter.codegen.written_paths import declaration
 from rapidsim.interpreter.limits import MAX_BRANCHES, MAX_LOOPS, NotExecutableError
 from rapidsim.interpreter.runtime.bulk_execution import ROW
+from rapidsim.interpreter.runtime.local_arrays import LEAST_COUNTED
 from rapidsim.language.initial_values import initial_value
 from rapidsim.language.types import ArrayOf, resolved
 from rapidsim.library.traits import Trait
@@ -439,15 +441,19 @@ class Statements:
         assert name is not None
         node: ast.expr
         if statement.value is not None:
-            node = self.expressions.copy(statement.value, statement).node
+            node = source = self.expressions.copy(statement.value, statement).node
         else:
             zero = 0 if statement in self.expressions.integers else initial_value(symbol.type)
             if isinstance(zero, float | int | str):
                 node = at.constant(zero)
             else:
                 node = at.name(names.module.constant(zero))
+            source = node
             if isinstance(zero, list):
                 node = at.call("_copy_array", [node])
+        of = resolved(symbol.type)
+        if isinstance(of, ArrayOf) and prod(size or 0 for size in of.dimensions) >= LEAST_COUNTED:
+            node = at.call("_local_array", [source, at.constant(name)])
         if symbol in names.in_cell:
             node = at.call("_Box", [node])
         return [at.set(name, node)]

@@ -32,6 +32,7 @@ from rapidsim.interpreter.runtime.call_stack import Origin
 from rapidsim.interpreter.runtime.error_recovery import GENERATED, Recovery, is_generated
 from rapidsim.interpreter.runtime.error_trace import ErrorTrace
 from rapidsim.interpreter.runtime.late_binding import LateBinding, UserRoutine
+from rapidsim.interpreter.runtime.local_arrays import LocalArrays
 from rapidsim.interpreter.runtime.memory import Memory
 from rapidsim.interpreter.runtime.shared_persistents import SharedPersistents
 from rapidsim.language.controller import Controller
@@ -60,6 +61,7 @@ class LinkedProgram:
         self._shared = shared
         self.recovery = Recovery(controller.error_numbers, ErrorTrace(controller.errors))
         self.late = LateBinding(controller)
+        self._local_arrays = LocalArrays()
         self._constants = Constants(program)
         self._integers: Mapping[tree.Node, Interval] = {}
         self._persistents: Set[tree.Node] = frozenset()
@@ -144,6 +146,7 @@ class LinkedProgram:
         namespace = self._namespaces[module.module] = {
             **FUNCTIONS,
             **task_functions(self.controller, self.recovery, self.late, module.module.name.key),
+            "_local_array": self._local_arrays.copy,
             GENERATED: Origin(module.module, module.functions, self.value_of, lambda: self.program),
         }
         show_lines_of(module.module.source)

@@ -7,7 +7,6 @@ from __future__ import annotations
 
 import ast
 import math
-import sys
 from collections.abc import Mapping, Sequence, Set
 
 from rapidsim.analysis.program import DataSymbol, Program, RoutineSymbol, Storage
@@ -29,6 +28,7 @@ from rapidsim.interpreter.limits import (
     MAX_ARRAY_BYTES,
     TRANSLATING_DEPTH,
     NotExecutableError,
+    element_bytes,
     recursion_limit,
 )
 from rapidsim.interpreter.linking.constants import Constants
@@ -40,8 +40,6 @@ from rapidsim.values import value_class
 
 INITIALISE = "_initialise"
 """The function that assigns initial values of module variables that are not literals."""
-
-_POINTER_BYTES = 8
 
 
 @value_class(frozen=True, slots=True)
@@ -173,19 +171,13 @@ def _refuse_huge_arrays(program: Program) -> None:
             if not isinstance(of, ArrayOf):
                 continue
             elements = math.prod(size or 0 for size in of.dimensions)
-            declared_bytes += elements * (_POINTER_BYTES + _bytes_of(initial_value(of.element)))
+            declared_bytes += elements * element_bytes(initial_value(of.element))
             if declared_bytes > MAX_ARRAY_BYTES:
                 raise NotExecutableError(
                     f"the array `{data.name.text}` of {elements} elements, with more than "
                     f"{MAX_ARRAY_BYTES // 1_000_000} MB in all arrays together,",
                     module.span(data.name),
                 )
-
-
-def _bytes_of(value: object) -> int:
-    """Memory [bytes] of a value with its components."""
-    components = value if isinstance(value, tuple) else ()
-    return sys.getsizeof(value) + sum(map(_bytes_of, components))
 
 
 def _initialise(module: tree.Module, context: ModuleContext) -> ast.FunctionDef | None:

@@ -57,7 +57,7 @@ def in_processes(
         at_once: Number of items that a process receives at a time.
 
     Raises:
-        InputError: If `work` raises it.
+        InputError: If `work` raises it; so are errors of the system (OSError, MemoryError).
         DefectError: If a process failed.
     """
     processes = min(processes, -(-len(things) // at_once))
@@ -113,13 +113,14 @@ class _Answer(Generic[_Result]):
     """Outcome of the work: a value, or the error that it raised."""
 
     value: _Result | None
-    error: InputError | DefectError | None = None
+    error: InputError | OSError | MemoryError | DefectError | None = None
 
     def result(self) -> _Result:
         """Return the value.
 
         Raises:
-            InputError: If the work raised it; `DefectError` if it raised any other error.
+            InputError: If the work raised it; so are errors of the system (OSError, MemoryError).
+            DefectError: If it raised any other error.
         """
         if self.error is not None:
             raise self.error
@@ -129,7 +130,7 @@ class _Answer(Generic[_Result]):
 def _answer(work: Callable[[_Thing], _Result], thing: _Thing) -> _Answer[_Result]:
     try:
         return _Answer(work(thing))
-    except InputError as error:
+    except (InputError, OSError, MemoryError) as error:
         return _Answer(None, error)
     except (KeyboardInterrupt, SystemExit):
         raise

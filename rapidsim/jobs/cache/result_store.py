@@ -14,6 +14,7 @@ from collections.abc import Mapping
 from contextlib import suppress
 from pathlib import Path
 
+from rapidsim.files import InputError, input_text
 from rapidsim.values import value_class
 
 FOLDER_VARIABLE = "RAPIDSIM_CACHE_DIR"
@@ -46,10 +47,10 @@ class ResultStore:
         """Return the text stored under a key; None if there is no such text."""
         file = self._file(key)
         try:
-            text = file.read_text(encoding="utf-8")
+            text = input_text(file)
             # Mark as used, so that other entries are removed first.
             os.utime(file)
-        except (OSError, ValueError):
+        except (OSError, InputError):
             return None
         return text
 
@@ -70,7 +71,7 @@ class ResultStore:
         text = self.text(key)
         try:
             return None if text is None else json.loads(text)
-        except ValueError:
+        except (ValueError, RecursionError):
             return None
 
     def keep(self, key: str, value: object) -> None:

@@ -18,6 +18,8 @@ from rapidsim.frames.transform import Array, quaternion_from_matrix
 from rapidsim.motion.waypoints.points import Points
 
 MOST_POINTS = 20_000
+LARGEST = 1e12
+"""Largest magnitude of a number, so that its cube is finite."""
 _PLACE = ("x", "y", "z")
 _QUATERNION = ("q1", "q2", "q3", "q4")
 _EULER = ("e1", "e2", "e3")
@@ -175,7 +177,10 @@ def _number(field: str, name: str, line: int, file: str) -> float:
         what = f"`{text}` is not a number" if text else "there is no number"
         help = "write the decimal point as `.`" if "," in text else None
         raise InputError(f"{file}:{line}: column `{name}`: {what}", help)
-    return float(text)
+    number = float(text)
+    if abs(number) > LARGEST:
+        raise InputError(f"{file}:{line}: column `{name}`: {text} is beyond {LARGEST:g}")
+    return number
 
 
 def _is_number(text: str) -> bool:

@@ -47,8 +47,8 @@ def viewer_files() -> ViewerFiles:
     Raises:
         InputError: If the installed viewer does not serve them.
     """
-    folder = Path(rerun_cli.__file__).parent
-    with _served(folder) as address:
+    folder = viewer_program().parent
+    with _served() as address:
         glue, program = (_fetched(f"{address}/{name}") for name in (_GLUE, _PROGRAM))
     notices = folder / _NOTICES
     text = notices.read_text(encoding="utf-8") if notices.is_file() else ""
@@ -56,13 +56,12 @@ def viewer_files() -> ViewerFiles:
 
 
 @contextmanager
-def _served(folder: Path) -> Iterator[str]:
+def _served() -> Iterator[str]:
     """Serve the viewer's files while the block runs; yields the address."""
     port = free_port()
-    name = "rerun.exe" if sys.platform == "win32" else "rerun"
     arguments = ("--serve-web", "--bind", _HOST, "--port", "0", "--web-viewer-port", str(port))
     server = subprocess.Popen(
-        [str(folder / name), *arguments],
+        [str(viewer_program()), *arguments],
         stdin=subprocess.DEVNULL,
         stdout=subprocess.DEVNULL,
         stderr=subprocess.DEVNULL,
@@ -91,6 +90,11 @@ def _fetched(url: str) -> bytes:
                     "`rapidsim view FILE.rrd` opens the recording in a window",
                 ) from error
         time.sleep(_STEP_S)
+
+
+def viewer_program() -> Path:
+    """Return the program of the installed viewer."""
+    return Path(rerun_cli.__file__).parent / ("rerun.exe" if sys.platform == "win32" else "rerun")
 
 
 def free_port() -> int:
