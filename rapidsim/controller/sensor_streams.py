@@ -21,7 +21,7 @@ from rapidsim.controller.queue.mechanical_unit import MechanicalUnit
 from rapidsim.frames.transform import Array
 from rapidsim.language.data import ToolData, WobjData
 from rapidsim.motion.guidance.feedback import Feedback, Frames, Guided, standing_feedback
-from rapidsim.motion.trajectory.trajectory import Samples
+from rapidsim.motion.trajectory.samples import Samples
 
 TELLS_S: Final = 0.020
 """Period [s] at which the controller reads the robot's position."""

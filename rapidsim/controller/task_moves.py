@@ -6,6 +6,7 @@ import math
 from collections.abc import Callable
 from typing import Protocol
 
+from rapidsim.controller.belt_tracking import BeltTracking
 from rapidsim.controller.cell.cell import Cell
 from rapidsim.controller.clock import TaskClock
 from rapidsim.controller.interrupt_table import InterruptTable
@@ -70,6 +71,7 @@ class TaskMoves:
     state: MotionState
     interrupts: TaskInterrupts
     synchronisation: TaskSynchronisation
+    belts: BeltTracking
 
     def put(self, move: Move, before: Callable[[QueuedMove], None], *, wait: bool = True) -> None:
         r"""Append a move to the path, in a team together with the moves of the other tasks.
@@ -143,8 +145,12 @@ class TaskMoves:
             start = self.resolver.first_start(move, place, member.end, settings)
             if start is not None:
                 self.unit.begin_at(start)
+        belt = self.belts.followed_by(move, settings.inactive_units)
         return self.resolver.resolve(
-            move, place, member.end, settings, is_first=is_first, starts_free=is_free
+            *(move, place, member.end, settings),
+            is_first=is_first,
+            starts_free=is_free,
+            belt=belt,
         )
 
     def _wait_for_stop(self, move: Move) -> None:

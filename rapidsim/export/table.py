@@ -9,7 +9,7 @@ import numpy as np
 from rapidsim.files import InputError
 from rapidsim.frames.transform import Array
 from rapidsim.motion.robot.external_axes import ExternalAxis
-from rapidsim.motion.trajectory.trajectory import Samples
+from rapidsim.motion.trajectory.samples import Samples
 from rapidsim.simulation.results.simulation import RobotRun, Simulation
 from rapidsim.values import value_class
 

@@ -23,7 +23,7 @@ from rapidsim.export.table import DEFAULT_DT, RowBlock, block, blocks, columns, 
 from rapidsim.extras import require
 from rapidsim.files import InputError
 from rapidsim.frames.euler import Convention, euler_from_rotation
-from rapidsim.motion.trajectory.trajectory import Samples
+from rapidsim.motion.trajectory.samples import Samples
 from rapidsim.output_files import whole_file
 from rapidsim.simulation.results.simulation import Simulation
 

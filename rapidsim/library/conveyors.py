@@ -1,7 +1,7 @@
 r"""Conveyors: waiting for the next object, and dropping it.
 
-The [[conveyor]] tables of the station define when objects arrive. The robot does not follow the
-conveyor: a run ends at a move in a work object that a conveyor of the station carries.
+The [[conveyor]] tables of the station define belts and when objects arrive on them. Moves in the
+work object of a connected object follow it (`controller/belt_tracking.py`).
 
 Source: Application manual Conveyor tracking, "WaitWObj", "DropWObj".
 """

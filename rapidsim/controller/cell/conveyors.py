@@ -13,9 +13,11 @@ from typing import Annotated, TypeAlias
 
 from rapidsim.controller.cell.conditions import Condition
 from rapidsim.json_records.declarations import AboveZero, Key, NotNegative
+from rapidsim.motion.geometry.belts import BeltCourse
 from rapidsim.values import value_class
 
 MM_BEHIND = 1e-6
+_MM = 1e-3
 SWITCH_S = 0.1
 """Length [s] of the pulse of a switch."""
 
@@ -34,6 +36,8 @@ class ConveyorScript:
     """Time from one object to the next while the belt runs; None if there is only one."""
     length_mm: Annotated[AboveZero, Key("length")] = math.inf
     """An object that travels this far from the switch without being taken is lost."""
+    most: Annotated[AboveZero | None, Key("maximum")] = None
+    """Distance from the switch up to which a robot may follow an object; no key for `length`."""
     runs: Condition | None = None
     """While it holds, the belt runs; no key if it always does."""
     switch: str | None = None
@@ -47,6 +51,16 @@ class ConveyorScript:
     quaternion: tuple[float, float, float, float] = (1.0, 0.0, 0.0, 0.0)
     """Orientation of the switch; the belt travels along its x axis."""
 
+    @property
+    def has_place(self) -> bool:
+        """Whether the switch has a place in the world."""
+        return self.position != (0.0, 0.0, 0.0) or self.quaternion != (1.0, 0.0, 0.0, 0.0)
+
+    @property
+    def most_mm(self) -> float:
+        """Distance [mm] from the switch up to which a robot may follow an object."""
+        return self.length_mm if self.most is None else self.most
+
 
 Schedule: TypeAlias = Callable[[str, float, Callable[[float], bool]], None]
 """Lets a signal be 1 for a moment, at a time [s], if a function of that time is true then."""
@@ -59,7 +73,10 @@ class ConveyorState:
     script: ConveyorScript
     read: Callable[[str], float]
     """Returns the value of a signal."""
-    is_connected: bool = False
+    course: BeltCourse = field(init=False)
+    """Its travel, as robots follow it."""
+    _connected: int | None = None
+    """Number of the object that a work object follows; None if there is none."""
     _next: int = 0
     """Index of the object that is taken next."""
     _since_s: float = 0.0
@@ -75,6 +92,30 @@ class ConveyorState:
     def __post_init__(self) -> None:
         """Look whether it runs at the start."""
         self._runs = self._is_running()
+        self.course = BeltCourse(self._speed_m_s if self._runs else 0.0)
+
+    @property
+    def is_connected(self) -> bool:
+        """Whether a work object is connected to one of its objects."""
+        return self._connected is not None
+
+    @property
+    def passed_m(self) -> float | None:
+        """Travel [m] of the belt at which the connected object passed the switch, None if none."""
+        if self._connected is None:
+            return None
+        passed_s = self._arrives_s(self._connected)
+        assert passed_s is not None
+        return passed_s * self._speed_m_s
+
+    def leaves_s(self) -> float:
+        """Time [s] from which on no robot may follow the connected object, if nothing changes."""
+        assert self.passed_m is not None
+        return self.course.time_at(self.passed_m + self.script.most_mm * _MM)
+
+    @property
+    def _speed_m_s(self) -> float:
+        return self.script.speed_mm_s * _MM
 
     @property
     def stops(self) -> bool:
@@ -105,6 +146,7 @@ class ConveyorState:
         """Start or stop the belt."""
         self._travelled_s = self._belt_s(now_s)
         self._since_s, self._runs = now_s, self._is_running()
+        self.course.change(now_s, self._speed_m_s if self._runs else 0.0)
         self._changes += 1
         self._watch_switch(now_s)
 
@@ -138,11 +180,11 @@ class ConveyorState:
 
     def connect(self) -> None:
         """Take the next object."""
-        self.is_connected, self._next = True, self._next + 1
+        self._connected, self._next = self._next, self._next + 1
 
     def drop(self) -> None:
         """Release the object."""
-        self.is_connected = False
+        self._connected = None
 
     def _passes_s(self) -> float | None:
         """Time [s] of the belt at which the next object passes the switch; None for none."""

@@ -13,12 +13,14 @@ from rapidsim.controller.queue.move_log import MoveLog
 from rapidsim.controller.queue.plan_cache import PlanCache
 from rapidsim.frames.rotation_vectors import vector_from_rotation
 from rapidsim.frames.transform import Array
+from rapidsim.motion.geometry.belts import BeltRide
 from rapidsim.motion.geometry.segments import Segment, Waypoint
 from rapidsim.motion.model import MotionModel
 from rapidsim.motion.robot.robot import Robot
 from rapidsim.motion.timing.axis_limits import Limits, limits_of, model_of
 from rapidsim.motion.trajectory.guided_section import GuidedSection
-from rapidsim.motion.trajectory.trajectory import Samples, Trajectory
+from rapidsim.motion.trajectory.samples import Samples
+from rapidsim.motion.trajectory.trajectory import Trajectory
 from rapidsim.values import value_class
 
 REGAINED_M = 0.010
@@ -89,8 +91,15 @@ class Member:
 
     @property
     def is_guided(self) -> bool:
-        """Whether a sensor guides the robot or corrects its path."""
-        return self.guided is not None or self.corrected is not None
+        """Whether a sensor guides the robot or corrects its path, or a belt takes it along."""
+        return self.guided is not None or self.corrected is not None or bool(self.riding)
+
+    @property
+    def riding(self) -> tuple[BeltRide, ...]:
+        """The belts that the robot follows at the end of its last move."""
+        if not len(self.moves):
+            return ()
+        return tuple(one for one in self.moves[-1].segment.rides if one.end == 1.0)
 
     def guide(self, guided: GuidedMotion) -> None:
         """Let a guidance, not the path, move a robot at rest."""

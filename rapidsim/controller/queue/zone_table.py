@@ -15,7 +15,8 @@ import numpy as np
 from rapidsim.controller.queue.mechanical_unit import MechanicalUnit
 from rapidsim.frames.transform import Array, Transform
 from rapidsim.language.path_events import AxisRange, Cuboid, Cylinder, Sphere, ZoneShape
-from rapidsim.motion.trajectory.trajectory import Samples, Trajectory
+from rapidsim.motion.trajectory.samples import Samples
+from rapidsim.motion.trajectory.trajectory import Trajectory
 
 LOOK_M = 0.001
 _LOOK_S = 0.02

@@ -23,7 +23,8 @@ from rapidsim.files import InputError, did_you_mean
 from rapidsim.frames.transform import Array, Transform
 from rapidsim.motion.model import MotionModel
 from rapidsim.motion.robot.robot import Robot
-from rapidsim.motion.trajectory.trajectory import Samples, Trajectory
+from rapidsim.motion.trajectory.samples import Samples
+from rapidsim.motion.trajectory.trajectory import Trajectory
 from rapidsim.simulation.results.persistents import PersistentChange
 from rapidsim.station.task_kind import TaskKind
 from rapidsim.values import value_class

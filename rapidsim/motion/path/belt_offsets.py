@@ -1,0 +1,88 @@
+"""Offsets of an arm from its path along a block that follows belts.
+
+Where an arm begins or ends to follow a belt, the weight of the offset is a polynomial of the fifth
+degree of the path parameter between the corners of that segment: with speed and acceleration
+continuous. In a corner next to a segment that follows the belt the weight is 1, so the corner keeps
+its shape on the belt.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from rapidsim.frames.transform import Array
+from rapidsim.motion.geometry.belts import BeltRide
+from rapidsim.motion.geometry.curves import Index
+from rapidsim.motion.geometry.segments import Segment
+from rapidsim.values import value_class
+
+_LEAST_RAMP = 0.5
+"""Share of a segment over which the weight changes at least, however large its zones are."""
+
+
+@value_class(frozen=True, slots=True, eq=False)
+class _Span:
+    segment: int
+    ride: BeltRide
+    start: float
+    """Path parameter [m] from which on the weight changes."""
+    width: float
+
+    def weights(self, s: Array) -> Array:
+        """Return the weights (k,) at s (k,) [m]."""
+        ride = self.ride
+        if not ride.changes:
+            return np.full(len(s), ride.begin)
+        share = np.clip((s - self.start) / self.width, 0.0, 1.0)
+        risen = share**3 * (10.0 + share * (6.0 * share - 15.0))
+        return ride.begin + (ride.end - ride.begin) * risen
+
+
+@value_class(frozen=True, slots=True, eq=False)
+class BeltOffsets:
+    """Offsets of one path."""
+
+    spans: tuple[_Span, ...]
+
+    def at(self, segment: Index, s: Array, axis: Array, times: Array) -> Array:
+        """Return offsets (k, 3) [m] in base.
+
+        Args:
+            segment: Index (k,) of the segment.
+            s: Path parameters (k,) [m].
+            axis: Positions (k,) [m] of the axis that stands for the belt.
+            times: Times (k,) [s].
+        """
+        offsets = np.zeros((len(s), 3))
+        for one in self.spans:
+            at = np.flatnonzero(segment == one.segment)
+            if not len(at):
+                continue
+            ahead = one.ride.course.at(times[at]) - one.ride.zero - axis[at]
+            offsets[at] += (one.weights(s[at]) * ahead)[:, None] * one.ride.direction
+        return offsets
+
+
+def belt_offsets(
+    segments: Sequence[Segment], starts: Array, lengths: Array, radii: Array
+) -> BeltOffsets | None:
+    """Return the offsets of a path; None if no segment follows a belt.
+
+    Args:
+        segments: Segments of the path.
+        starts: Path parameter [m] at the start of each.
+        lengths: Length of each in units of the parameter [m].
+        radii: Radius of the corner before each and after the last, shape (segments + 1,) [m].
+    """
+    spans: list[_Span] = []
+    for number, segment in enumerate(segments):
+        if not segment.rides:
+            continue
+        start, length = float(starts[number]), float(lengths[number])
+        most = 0.5 * (1.0 - _LEAST_RAMP) * length
+        before, after = (min(float(radius), most) for radius in radii[number : number + 2])
+        width = length - before - after
+        spans += [_Span(number, ride, start + before, width) for ride in segment.rides]
+    return BeltOffsets(tuple(spans)) if spans else None
