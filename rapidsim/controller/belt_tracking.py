@@ -62,7 +62,7 @@ class BeltTracking:
         before, travel = self._riding()
         if conveyor is None:
             leaving = tuple(replace(one, begin=1.0, end=0.0) for one in before)
-            return FollowedBelt(leaving, travel) if leaving else None
+            return FollowedBelt(leaving, travel, self._zone_before()) if leaving else None
         unit = conveyor.script.unit
         if unit.lower() in inactive:
             raise rapid_error(ERR_CNV_NOT_ACT, f"the conveyor {unit} is not active")
@@ -126,7 +126,7 @@ class BeltTracking:
             ride = replace(ride, zero=zero)
             user = switch @ _along(zero - conveyor.passed_m)
         motion = replace(stands, world_from_user=user, end=end)
-        return FollowedBelt((*leaving, ride), travel, motion)
+        return FollowedBelt((*leaving, ride), travel, self._zone_before(), motion)
 
     def _distance_m(self, move: Move, belt: BeltMotion) -> float:
         """About how far [m] the TCP moves on the belt."""
@@ -146,6 +146,10 @@ class BeltTracking:
         if axes is None or (not riding and not self.unit.queue.is_open):
             return (), 0.0
         return riding, float(axes[1][-1])
+
+    def _zone_before(self) -> float:
+        zone = self.unit.moves[-1].segment.zone if self.unit.queue.is_open else None
+        return 0.0 if zone is None else zone.position
 
     def _starts_s(self) -> float:
         """About when the robot starts the next move [s]."""

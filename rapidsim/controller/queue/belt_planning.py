@@ -161,8 +161,9 @@ def _chained(
         start_joints = segment.start.joints
         if chained:
             start_joints = chained[-1].end.joints
-        elif carried:
-            start_joints = _moved(kinematics, start_joints, along * (begin - was[0]))
+        elif riding := [ride for ride in segment.rides if ride.begin == 1.0]:
+            offset = riding[0].direction * (begin - was[0])
+            start_joints = _moved(kinematics, start_joints, offset)
         end_joints = _moved(kinematics, segment.end.joints, along * (end - was[1]))
         if np.isnan(start_joints).any() or np.isnan(end_joints).any():
             return _fault(number, 1.0, _LOST)

@@ -109,6 +109,8 @@ class BeltRide:
     """Weight at the start of the segment: 1 where the arm follows the object, 0 where not yet."""
     end: float
     """Weight at its end."""
+    zones: tuple[float, float] = (0.0, 0.0)
+    """Radii [m] of the programmed zones at its ends, in which the weight does not change."""
 
     def is_along(self, direction: Array) -> bool:
         """Whether a direction (3,) in base is that of the travel."""

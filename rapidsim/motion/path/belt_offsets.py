@@ -65,24 +65,22 @@ class BeltOffsets:
         return offsets
 
 
-def belt_offsets(
-    segments: Sequence[Segment], starts: Array, lengths: Array, radii: Array
-) -> BeltOffsets | None:
+def belt_offsets(segments: Sequence[Segment], bounds: Array) -> BeltOffsets | None:
     """Return the offsets of a path; None if no segment follows a belt.
 
     Args:
         segments: Segments of the path.
-        starts: Path parameter [m] at the start of each.
-        lengths: Length of each in units of the parameter [m].
-        radii: Radius of the corner before each and after the last, shape (segments + 1,) [m].
+        bounds: Path parameters [m] at their ends, shape (segments + 1,).
     """
     spans: list[_Span] = []
     for number, segment in enumerate(segments):
         if not segment.rides:
             continue
-        start, length = float(starts[number]), float(lengths[number])
+        start, end = bounds[number : number + 2].tolist()
+        length = end - start
         most = 0.5 * (1.0 - _LEAST_RAMP) * length
-        before, after = (min(float(radius), most) for radius in radii[number : number + 2])
-        width = length - before - after
-        spans += [_Span(number, ride, start + before, width) for ride in segment.rides]
+        for ride in segment.rides:
+            # Not those of the corners, which depend on moves that may not be known yet.
+            before, after = (min(radius, most) for radius in ride.zones)
+            spans.append(_Span(number, ride, start + before, length - before - after))
     return BeltOffsets(tuple(spans)) if spans else None

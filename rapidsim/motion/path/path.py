@@ -107,17 +107,7 @@ class Path:
         """Offsets of the arm from the path; None if it follows no belt."""
         if not any(segment.rides for segment in self.segments):
             return None
-        radii = np.zeros(len(self.segments) + 1)
-        radii[self.active[1:]] = self.layout.corners.radius
-        # A segment without length has no corners; those of its neighbours are the same one.
-        after = np.zeros(len(self.segments) + 1)
-        after[self.active[:-1] + 1] = self.layout.corners.radius
-        return belt_offsets(
-            self.segments,
-            self.segment_starts,
-            np.diff(self.segment_bounds),
-            np.maximum(radii, after),
-        )
+        return belt_offsets(self.segments, self.segment_bounds)
 
     @cached_property
     def lengths(self) -> Array:
