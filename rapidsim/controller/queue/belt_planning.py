@@ -93,7 +93,7 @@ def plan_on_belt(
         moved = _chained(segments, travels, start.fixed, kinematics)
         if isinstance(moved, PathFault):
             return moved
-        planned = make(_slowed(moved, factors, speeds, start.fixed))
+        planned = make(_slowed(moved, factors, speeds))
         if isinstance(planned, PathFault):
             return planned
         path, timing = planned
@@ -193,15 +193,12 @@ def _place(kinematics: Kinematics, joints: Array) -> Array:
     return kinematics.forward(joints).translation
 
 
-def _slowed(
-    segments: Sequence[Segment], factors: Array, speeds: Array | None, fixed: int
-) -> Sequence[Segment]:
+def _slowed(segments: Sequence[Segment], factors: Array, speeds: Array | None) -> Sequence[Segment]:
     """Return segments that are made with factors (segments,) of speeds (segments,) [m/s]."""
     if speeds is None:
         return segments
-    slowed = [*segments[:fixed]]
-    rows = zip(segments, factors.tolist(), speeds.tolist(), strict=True)
-    for segment, factor, fastest in [*rows][fixed:]:
+    slowed = []
+    for segment, factor, fastest in zip(segments, factors.tolist(), speeds.tolist(), strict=True):
         speed, duration = segment.speed, segment.duration
         if factor < 1.0:
             tcp = factor * min(speed.tcp, max(fastest, 1e-3))
@@ -247,8 +244,8 @@ def _used(
         return _fault(int(segment[first]), 1.0, _LOST)
     used = np.zeros(len(path.segments))
     np.maximum.at(used, segment, np.maximum(speed, np.sqrt(torque)))
-    # What the arm has begun is as it is.
-    used[: start.fixed] = 0.0
+    # What the arm has passed is as it is.
+    used[: start.move] = 0.0
     return used
 
 

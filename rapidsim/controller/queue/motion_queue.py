@@ -451,7 +451,14 @@ class MotionQueue:
         """Let moves of a robot on a belt be those of a plan, which the robot has begun."""
         member, row = self.members[0], self.block.rows[0]
         for queued, segment in zip(row[first:until], path.segments, strict=False):
-            before, queued.segment = queued.segment, segment
+            before = queued.segment
+            # With the speeds of the program: each plan finds anew which the belt allows.
+            queued.segment = replace(
+                segment,
+                speed=before.speed,
+                duration=before.duration,
+                acceleration_share=before.acceleration_share,
+            )
             here, there = map(member.robot.forward, (before.end.joints, segment.end.joints))
             pose, moved = queued.base_from_tcp, there.translation - here.translation
             queued.base_from_tcp = Transform(pose.rotation, pose.translation + moved)
