@@ -92,7 +92,7 @@ class ConveyorState:
     def __post_init__(self) -> None:
         """Look whether it runs at the start."""
         self._runs = self._is_running()
-        self.course = BeltCourse(self._speed_m_s if self._runs else 0.0)
+        self.course = BeltCourse(self.script.unit, self._speed_m_s if self._runs else 0.0)
 
     @property
     def is_connected(self) -> bool:

@@ -25,7 +25,7 @@ from rapidsim.motion.path.path import Path
 from rapidsim.motion.timing.time_scaling import TimeScaling
 from rapidsim.motion.trajectory.command import Piece
 from rapidsim.motion.trajectory.corrected_section import moved_joints
-from rapidsim.motion.trajectory.limit_shares import limit_shares
+from rapidsim.motion.trajectory.limit_shares import limit_shares, reason_lost
 from rapidsim.values import value_class
 
 _MOST_PLANS = 12
@@ -35,10 +35,7 @@ _STEP_S = 0.004
 _MARGIN = 0.97
 _LEAST_FACTOR = 0.4
 _NO_LENGTH_M = 1e-6
-_LIMIT = 1e-6
-_JUMP = 8.0
-"""Share of an axis speed that only an arm needs which cannot follow at all."""
-_LOST = "the belt carries it out of reach"
+_LOST = "the belt carries the end of the move out of reach"
 _NO_LENGTH = (
     "the arm is there already and has no way on which to catch up with the belt; begin with a move "
     "from some distance"
@@ -85,7 +82,8 @@ def plan_on_belt(
         The plan, or the first point where the arm cannot follow.
     """
     kinematics, lag_s = member.robot.kinematics, 0.5 * member.model.window
-    travels, factors = _first_travels(segments, start), np.ones(len(segments))
+    rests = start.is_at_rest and start.time_s >= member.trajectory.duration
+    travels, factors = _first_travels(segments, start.time_s, rests=rests), np.ones(len(segments))
     speeds: Array | None = None
     plans = 0
     while True:
@@ -112,16 +110,16 @@ def plan_on_belt(
         factors = factors * np.clip(_MARGIN / np.maximum(used, _MARGIN), _LEAST_FACTOR, 1.0)
 
 
-def _first_travels(segments: Sequence[Segment], start: BlockStart) -> Array:
+def _first_travels(segments: Sequence[Segment], time_s: float, *, rests: bool) -> Array:
     """Return the travel (segments + 1,) [m] of the belt's axis at the ends of segments, at first.
 
-    An arm that rests on a belt before it begins has moved with it meanwhile.
+    An arm that rests on a belt before it begins at a time [s] has moved with it meanwhile.
     """
     first = segments[0].carrier_axes
     travels = np.array([0.0 if first is None else first[0][-1], *np.zeros(len(segments))])
     riding = [ride for ride in segments[0].rides if ride.begin == 1.0]
-    if riding and start.is_at_rest:
-        travels[0] = _travel(riding[0], start.time_s)
+    if riding and rests:
+        travels[0] = _travel(riding[0], time_s)
     for number, segment in enumerate(segments):
         own = segment.carrier_axes
         step = 0.0 if own is None else float(own[1][-1] - own[0][-1])
@@ -237,11 +235,10 @@ def _used(
     )
     speed, torque = limit_shares(samples, kinematics, member.limits, load, allowed)
     robot = member.robot
-    beyond = (samples.joints < robot.lower - _LIMIT) | (samples.joints > robot.upper + _LIMIT)
-    lost = np.flatnonzero(beyond.any(axis=1) | (speed > _JUMP))
-    if len(lost):
-        first = int(lost[0])
-        return _fault(int(segment[first]), 1.0, _LOST)
+    reason = reason_lost(samples, robot)
+    if reason is not None:
+        at, why = reason
+        return _fault(int(segment[at]), 1.0, f"at {times[at]:.3f} s {why}")
     used = np.zeros(len(path.segments))
     np.maximum.at(used, segment, np.maximum(speed, np.sqrt(torque)))
     # What the arm has passed is as it is.

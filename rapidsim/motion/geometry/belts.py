@@ -25,6 +25,8 @@ CATCH_UP_S = 0.3
 class BeltCourse:
     """Travel of a belt over time; it can only be extended."""
 
+    name: str
+    """Name of its mechanical unit."""
     speed: float
     """Its current speed [m/s]."""
     _times: list[float] = field(default_factory=lambda: [0.0])

@@ -1,4 +1,4 @@
-"""Shares of its limits that an arm uses, from samples of its motion."""
+"""Limits of an arm that follows a belt, from samples of its motion: how much of them it uses."""
 
 from __future__ import annotations
 
@@ -6,8 +6,12 @@ import numpy as np
 
 from rapidsim.frames.transform import Array
 from rapidsim.motion.kinematics.arm import Kinematics
+from rapidsim.motion.robot.robot import Robot
 from rapidsim.motion.timing.axis_limits import Limits
 from rapidsim.motion.trajectory.samples import Samples
+
+_LIMIT = 1e-6
+_OUT_OF_REACH = "the object on the belt is out of its reach"
 
 
 def limit_shares(
@@ -34,3 +38,19 @@ def limit_shares(
     used[[0, -1]], rates[[0, -1]] = 0.0, 0.0
     near = np.maximum(np.maximum(allowed, np.roll(allowed, 1)), np.roll(allowed, -1))
     return (np.abs(rates) / limits.max_speed).max(axis=1), used.max(axis=1) / near
+
+
+def reason_lost(samples: Samples, robot: Robot) -> tuple[int, str] | None:
+    """Return the first sample in which the arm cannot be where a belt takes it, and why."""
+    if samples.lost is None:
+        return None
+    beyond = np.maximum(robot.lower - samples.joints, samples.joints - robot.upper)
+    found = np.flatnonzero(samples.lost | (beyond.max(axis=1) > _LIMIT))
+    if not len(found):
+        return None
+    first = int(found[0])
+    if samples.lost[first]:
+        return first, _OUT_OF_REACH
+    axis = int(beyond[first].argmax())
+    over = robot.axes.text(axis, float(beyond[first, axis]))
+    return first, f"axis {axis + 1} is {over} past its limit"

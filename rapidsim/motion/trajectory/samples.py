@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import field
+from dataclasses import field, replace
 
 import numpy as np
 
@@ -31,6 +31,9 @@ class Samples:
     """Shape (k,) [m/s], against the work object."""
     external: Array = field(default_factory=lambda: np.zeros((0, 0)))
     """Shape (k, e) [m or rad]: the external axes."""
+    lost: Mask | None = None
+    """Shape (k,): whether a belt is where the arm cannot follow it; it then stays on its path. None
+    if it follows none."""
 
 
 @value_class(frozen=True, slots=True, eq=False)
@@ -45,14 +48,17 @@ class JointSamples:
     """Shape (k, e) [m or rad]: the external axes."""
 
 
-def move_arm(samples: Samples, kinematics: Kinematics, offsets: Array) -> None:
-    """Move the arm by offsets (k, 3) [m] where it can."""
+def move_arm(samples: Samples, kinematics: Kinematics, offsets: Array) -> Samples:
+    """Move the arm by offsets (k, 3) [m] where it can; return the samples."""
     rows = np.flatnonzero(offsets.any(axis=1))
     joints = moved_joints(kinematics, samples.joints[rows], offsets[rows])
     reached = ~np.isnan(joints).any(axis=1)
+    lost = np.zeros(len(offsets), dtype=np.bool_)
+    lost[rows[~reached]] = True
     rows, joints = rows[reached], joints[reached]
     samples.joints[rows] = joints
     samples.base_from_tcp.translation[rows] += offsets[rows]
+    return replace(samples, lost=lost)
 
 
 def lead(samples: Samples, section: CorrectedSection, mask: Mask) -> None:

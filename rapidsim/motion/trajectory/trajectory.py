@@ -41,6 +41,7 @@ SAMPLE_STEP_S = 0.012
 _SAMPLES_AT_ONCE = 10_000
 _PLACES_AT_ONCE = 2_000
 _ROUNDING_S = 1e-11
+_NO_TRAVEL_M = 1e-6
 _NO_WAY = 1e-9
 """TCP travel per path length [m/m] below which a path only turns the tool."""
 _CHORD_S = 0.004
@@ -130,16 +131,27 @@ class Trajectory:
         Raises:
             ValueError: If the piece starts before the last one ends, or ends before it starts.
         """
-        elsewhere = False
+        elsewhere = self._has_ridden_on(piece)
         self._follows_belts = self._follows_belts or piece.path.belts is not None
         if self._guided:
             last = self._guided[-1]
-            elsewhere = np.isinf(last.until_s)
+            elsewhere |= bool(np.isinf(last.until_s))
             self._guided[-1] = replace(last, until_s=min(last.until_s, piece.start_time))
         if elsewhere:
             filter_time = self._windows.filter_time
             self._windows.begin(piece.start_time, filter_time, elsewhere=True)
         return self._ramped.append(piece, elsewhere=elsewhere)
+
+    def _has_ridden_on(self, piece: Piece) -> bool:
+        """Whether a belt has taken the arm elsewhere before a piece on it begins."""
+        if piece.path.belts is None or not self._follows_belts:
+            return False
+        last = self.pieces[-1]
+        if last.path.belts is None:
+            return False
+        ends = (last.path, last.to_s), (piece.path, piece.from_s)
+        before, now = (float(path.joints_at(np.array([s]))[0, -1]) for path, s in ends)
+        return abs(now - before) > _NO_TRAVEL_M
 
     def cut(self, time_s: float) -> None:
         """Remove the command after a time [s]."""
@@ -327,9 +339,7 @@ class Trajectory:
                 offsets[at] = path.belts.at(segment, s, axis, times[at])
         arm, external = np.split(joints, [len(self._start.joints)], axis=1)
         samples = Samples(times, move, arm, pose, tcp_speed, external[:, : self._external_count])
-        if offsets is not None:
-            move_arm(samples, path.kinematics, offsets)
-        return samples
+        return samples if offsets is None else move_arm(samples, path.kinematics, offsets)
 
     @property
     def _external_count(self) -> int:

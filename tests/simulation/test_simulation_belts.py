@@ -1,0 +1,171 @@
+"""Moves that follow belts: exactly on the belt, without jumps, within the limits of the arm."""
+
+from __future__ import annotations
+
+import random
+from pathlib import Path
+
+import numpy as np
+import pytest
+from laws import some
+
+import rapidsim
+from rapidsim.api.run import Run
+from rapidsim.motion.timing.axis_limits import limits_of
+from rapidsim.motion.trajectory.limit_shares import limit_shares
+from rapidsim.motion.trajectory.trajectory import Trajectory
+
+_DATA = r"""MODULE belts
+  PERS tooldata tGrip:=[TRUE,[[0,0,120],[1,0,0,0]],[2,[0,0,60],[1,0,0,0],0,0,0.01]];
+  PERS wobjdata wBelt:=[FALSE,FALSE,"CNV1",[[0,0,0],[1,0,0,0]],[[10,20,0],[1,0,0,0]]];
+  CONST robtarget pPart:=[[0,0,80],[0,0,1,0],[0,0,-1,0],[9E9,9E9,9E9,9E9,9E9,9E9]];
+  CONST robtarget pWait:=[[50,600,650],[0,0,1,0],[0,0,-1,0],[9E9,9E9,9E9,9E9,9E9,9E9]];
+  CONST robtarget pBox:=[[600,-120,481],[0,0,1,0],[-1,0,-1,0],[9E9,9E9,9E9,9E9,9E9,9E9]];
+  CONST jointtarget jHome:=[[0,0,0,0,30,0],[9E9,9E9,9E9,9E9,9E9,9E9]];
+  VAR robtarget here;
+  PROC main()
+    ConfJ\Off;
+    ConfL\Off;
+"""
+_STEP_S = 0.001
+
+
+def station(speed: float, angle: float = 0.0, smoothing: str = "axes", more: str = "") -> str:
+    """A belt that passes in front of the arm."""
+    x, y = -300.0 * np.cos(angle), 600.0 - 300.0 * np.sin(angle)
+    return f"""[robot]
+model = "irb1600-6-1.2"
+start = [60, 0, 0, 0, 30, 0]
+
+[motion]
+smoothing = "{smoothing}"
+
+[signals]
+doRun = {{ type = "do", value = 1 }}
+
+[[conveyor]]
+unit = "CNV1"
+speed = {speed}
+at = 0.2
+every = 1.0
+length = 420
+runs = "doRun = 1"
+position = [{x}, {y}, 400]
+quaternion = [{np.cos(angle / 2)}, 0, 0, {np.sin(angle / 2)}]
+{more}
+"""
+
+
+def run_of(folder: Path, body: str, toml: str) -> Run:
+    (folder / "rapidsim.toml").write_text(toml)
+    (folder / "belts.mod").write_text(f"{_DATA}{body}\n  ENDPROC\nENDMODULE\n")
+    return rapidsim.load(folder).run()
+
+
+def random_body(say: random.Random) -> str:
+    """Two visits to the belt, each with a few moves on it."""
+    lines = []
+
+    def near() -> str:
+        x, y, z = say.uniform(-40, 40), say.uniform(-40, 40), say.uniform(0, 120)
+        return f"Offs(pPart,{x:.1f},{y:.1f},{z:.1f})"
+
+    def how() -> str:
+        speed = say.choice(("v200", "v400", "v800", "v2000", "vmax"))
+        return f"{speed},{say.choice(('fine', 'z1', 'z10', 'z20', 'z50'))},tGrip"
+
+    for _ in range(2):
+        lines.append(f"MoveJ pWait,{how()};")
+        lines.append(rf"WaitWObj wBelt\RelDist:={say.uniform(100, 250):.0f};")
+        for _ in range(say.randint(1, 3)):
+            kind = say.random()
+            if kind < 0.8:
+                instruction = "MoveL" if kind < 0.6 else "MoveJ"
+                lines.append(rf"{instruction} {near()},{how()}\WObj:=wBelt;")
+            else:
+                r = say.uniform(20, 40)
+                lines.append(rf"MoveL Offs(pPart,{-r:.1f},0,60),{how()}\WObj:=wBelt;")
+                points = f"Offs(pPart,0,{0.8 * r:.1f},60),Offs(pPart,{r:.1f},0,60)"
+                lines.append(rf"MoveC {points},{how()}\WObj:=wBelt;")
+            if say.random() < 0.3:
+                lines.append(f"WaitTime {say.uniform(0, 0.3):.2f};")
+        lines.append(
+            say.choice(
+                (
+                    f"MoveL Offs(pWait,100,-100,50),{how()};",
+                    f"MoveJ pBox,{how()};",
+                    "MoveAbsJ jHome,v1000,fine,tGrip;",
+                )
+            )
+        )
+        lines.append("DropWObj wBelt;")
+    return "\n".join(lines)
+
+
+def trajectory_of(run: Run) -> Trajectory:
+    return run.simulation.robots[0].trajectory
+
+
+@pytest.mark.parametrize("seed", some(range(64), 16))
+def test_random_moves_on_belts_keep_the_limits_and_have_no_jumps(seed: int, tmp_path: Path) -> None:
+    """The largest share of 400 programs is 1.02; rounding of a hasty corner is in it."""
+    say = random.Random(seed)
+    speed = say.choice((50.0, 100.0, 200.0, 300.0, 400.0))
+    run = run_of(tmp_path, random_body(say), station(speed, say.uniform(-0.6, 0.6)))
+    robot, trajectory = run.simulation.robots[0].robot, trajectory_of(run)
+    times = np.arange(0.0, trajectory.duration + 0.1, _STEP_S)
+    samples = trajectory.at(times)
+    load = np.zeros(len(times))
+    for piece in trajectory.pieces:
+        for number, segment in piece.numbered:
+            load[samples.move == number] = segment.load
+    limits = limits_of(robot, run.simulation.model)
+    speeds, torques = limit_shares(samples, robot.kinematics, limits, load, np.ones(len(times)))
+    assert speeds.max() < 1.03
+    assert torques.max() < 1.03
+    assert not [one for one in run.diagnostics if one.code == "R132"]
+
+
+_DRAWING = r"""
+    MoveJ pWait,v1000,fine,tGrip;
+    WaitWObj wBelt\RelDist:=100;
+    MoveL Offs(pPart,0,0,60),v800,z10,tGrip\WObj:=wBelt;
+    MoveL pPart,v400,fine,tGrip\WObj:=wBelt;
+    WaitTime 0.3;
+    MoveL Offs(pPart,60,0,0),v200,fine,tGrip\WObj:=wBelt;
+    MoveC Offs(pPart,30,30,0),Offs(pPart,0,0,0),v200,fine,tGrip\WObj:=wBelt;
+    here:=CRobT(\Tool:=tGrip\WObj:=wBelt);
+    MoveL Offs(pPart,0,0,60),v400,z10,tGrip\WObj:=wBelt;
+    MoveL pWait,v800,fine,tGrip;
+    DropWObj wBelt;
+"""
+
+
+@pytest.mark.parametrize("smoothing", ["path", "axes"])
+def test_the_tcp_is_on_its_curve_on_the_belt(smoothing: str, tmp_path: Path) -> None:
+    """At an object 20 mm behind zero of the belt; its frame is (10, 20, 0) on it."""
+    angle = 0.4
+    run = run_of(tmp_path, _DRAWING, station(100.0, angle, smoothing))
+    assert run.end == "ended", run.diagnostics
+    along = np.array([np.cos(angle), np.sin(angle), 0.0])
+    across = np.array([-np.sin(angle), np.cos(angle), 0.0])
+    switch = np.array([-0.3 * np.cos(angle), 0.6 - 0.3 * np.sin(angle), 0.4])
+    part = switch + (0.010 - 0.1 * 0.2) * along + 0.020 * across + np.array([0.0, 0.0, 0.08])
+    trajectory = trajectory_of(run)
+    steps = run.simulation.robots[0].moves
+    settled = trajectory.seen_s(0.0) + 0.02
+    for number, point in ((2, part), (3, part + 0.06 * along), (4, part)):
+        end_s = steps[number].end_s + settled
+        until_s = steps[number + 1].start_s
+        times = np.linspace(min(end_s, until_s), until_s, 5)
+        travel = 0.1 * times[:, None] * along
+        seen = trajectory.at(times).base_from_tcp.translation - travel
+        assert np.abs(seen - point).max() < 1e-6
+    line = np.arange(steps[3].start_s, steps[3].end_s, _STEP_S)
+    seen = trajectory.at(line).base_from_tcp.translation - 0.1 * line[:, None] * along - part
+    off = np.hypot(seen @ across, seen[:, 2])
+    assert off.max() < (1e-6 if smoothing == "path" else 5e-5)
+    arc = np.arange(steps[4].start_s, steps[4].end_s, _STEP_S)
+    seen = trajectory.at(arc).base_from_tcp.translation - 0.1 * arc[:, None] * along - part
+    radius = np.hypot(seen @ along - 0.03, seen @ across)
+    assert np.abs(radius - 0.03).max() < (1e-6 if smoothing == "path" else 2e-3)
