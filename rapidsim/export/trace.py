@@ -19,7 +19,15 @@ import numpy as np
 
 from rapidsim.export.joint_trajectory import SUFFIX as JOINT_TRAJECTORY
 from rapidsim.export.joint_trajectory import write_joint_trajectory
-from rapidsim.export.table import DEFAULT_DT, RowBlock, block, blocks, columns, table_widths
+from rapidsim.export.table import (
+    DEFAULT_DT,
+    RowBlock,
+    belt_columns,
+    block,
+    blocks,
+    columns,
+    table_widths,
+)
 from rapidsim.extras import require
 from rapidsim.files import InputError
 from rapidsim.frames.euler import Convention, euler_from_rotation
@@ -46,7 +54,7 @@ def write_trace(simulation: Simulation, path: str | Path, dt: float = DEFAULT_DT
     """
     if Path(path).name.lower().endswith(JOINT_TRAJECTORY):
         return write_joint_trajectory(simulation, Path(path), dt)
-    names = columns(*table_widths(simulation))
+    names = (*columns(*table_widths(simulation)), *belt_columns(simulation))
     if len(simulation.robots) > 1:
         names = (*names, "task")
     return _write(Path(path), names, blocks(simulation, dt))

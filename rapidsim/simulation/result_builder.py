@@ -122,6 +122,7 @@ def _simulation(
         unsimulated=_not_simulated(runs),
         home_files=tuple(WrittenFile(path, size) for path, size in cell.home.written()),
         lacked_files=cell.home.lacks,
+        belts=tuple(one.course for one in cell.conveyors.values()),
         # Now, not at the end of each task: others may have changed shared data since.
         persistents=deduplicated(
             one

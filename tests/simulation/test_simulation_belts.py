@@ -169,3 +169,62 @@ def test_the_tcp_is_on_its_curve_on_the_belt(smoothing: str, tmp_path: Path) -> 
     seen = trajectory.at(arc).base_from_tcp.translation - 0.1 * arc[:, None] * along - part
     radius = np.hypot(seen @ along - 0.03, seen @ across)
     assert np.abs(radius - 0.03).max() < (1e-6 if smoothing == "path" else 2e-3)
+
+
+@pytest.fixture(scope="module")
+def changing(tmp_path_factory: pytest.TempPathFactory) -> Run:
+    """A belt that stops while the arm rests on it, and starts while the arm moves on it."""
+    body = r"""
+    MoveJ pWait,v1000,fine,tGrip;
+    WaitWObj wBelt\RelDist:=100;
+    MoveL pPart,v400,fine,tGrip\WObj:=wBelt;
+    WaitTime 0.1;
+    SetDO doRun,0;
+    WaitTime 0.6;
+    here:=CRobT(\Tool:=tGrip\WObj:=wBelt);
+    TPWrite ValToStr(here.trans);
+    MoveL Offs(pPart,100,0,0),v100,z1,tGrip\WObj:=wBelt;
+    WaitTime 0.3;
+    SetDO doRun,1;
+    MoveL pPart,v100,fine,tGrip\WObj:=wBelt;
+    MoveL pWait,v800,fine,tGrip;
+    DropWObj wBelt;
+    MoveL Offs(pWait,0,0,20),v800,fine,tGrip;
+"""
+    return run_of(tmp_path_factory.mktemp("changing"), body, station(200.0, more="maximum = 800"))
+
+
+def test_an_arm_follows_a_belt_that_stops_and_starts_without_a_jump(changing: Run) -> None:
+    """It is on the belt again 0.3 s later."""
+    assert changing.end == "ended", changing.diagnostics
+    trajectory = trajectory_of(changing)
+    (belt,) = changing.simulation.belts
+    stopped_s = belt.speeds[1][0]
+    times = np.arange(stopped_s - 0.05, stopped_s + 0.5, _STEP_S)
+    seen = trajectory.at(times).base_from_tcp.translation[:, 0]
+    accelerations = np.diff(seen, n=2) / _STEP_S**2
+    assert np.abs(accelerations).max() < 4.0 * 0.2 / 0.3 * 1.01
+    after = times > stopped_s + 0.31
+    assert np.ptp(seen[after]) < 1e-9
+    assert seen[after][0] == pytest.approx(seen[0] + 0.2 * 0.05, abs=1e-9)
+
+
+def test_a_position_on_the_belt_is_that_of_the_object(changing: Run) -> None:
+    (text,) = (one.message for one in changing.events if one.message.startswith("["))
+    x, y, z = (float(part) for part in text.strip("[]").split(","))
+    assert (x, y, z) == pytest.approx((0.0, 0.0, 80.0), abs=0.01)
+
+
+def test_reports_say_where_the_belt_is(changing: Run, tmp_path: Path) -> None:
+    record = changing.as_json()
+    (belt,) = record["conveyors"]
+    assert belt["unit"] == "CNV1"
+    assert [speed["speed_mm_s"] for speed in belt["speeds"]] == [200.0, 0.0, 200.0]
+    stood_s = belt["speeds"][2]["time_s"] - belt["speeds"][1]["time_s"]
+    assert belt["travel_mm"] == pytest.approx(200.0 * (changing.time_s - stood_s), abs=1e-6)
+    assert [move.get("conveyor") for move in record["moves"]] == [
+        *(None, "CNV1", "CNV1", "CNV1", None, None),
+    ]
+    rows = changing.trace(tmp_path / "trace.csv", dt=0.1).read_text().splitlines()
+    assert rows[0].endswith(",tcp_speed_mm_s,c1_mm")
+    assert float(rows[2].rpartition(",")[2]) == pytest.approx(20.0)

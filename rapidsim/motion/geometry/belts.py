@@ -38,6 +38,12 @@ class BeltCourse:
         """Begin at zero, with robots that move with the belt."""
         self._rows = [(0.0, self.speed, 0.0, 0.0, 0.0)]
 
+    @property
+    def speeds(self) -> tuple[tuple[float, float, float], ...]:
+        """Times [s], with travel [m] and speed [m/s] of the belt from then on."""
+        rows = zip(self._times, self._rows, strict=True)
+        return tuple((time_s, travel, speed) for time_s, (travel, speed, *_) in rows)
+
     def change(self, time_s: float, speed: float) -> None:
         """Let the belt run at another speed [m/s] from a time [s] on."""
         if speed == self.speed:

@@ -215,6 +215,19 @@ def with_belt_axis(
     )
 
 
+def without_carrier_axes(segment: Segment) -> Segment:
+    """Return a segment that nothing carries without the axes of what carries its neighbours."""
+    if segment.carrier_axes is None or segment.carrier is not None:
+        return segment
+    own = len(segment.start.external)
+    return replace(
+        segment,
+        carrier_axes=None,
+        external_linear=segment.external_linear[:own],
+        external_speeds=segment.external_speeds[:own],
+    )
+
+
 def with_carrier_axes(segment: Segment, start: Array, end: Array) -> Segment:
     """Return a segment with the axes (l,) [rad, m] of the robots that carry work objects."""
     own, more = len(segment.start.external), len(start)
