@@ -23,7 +23,7 @@ from rapidsim.frames.transform import Transform
 from rapidsim.language.data import JointTarget, WobjData
 from rapidsim.language.error_numbers import ERR_CNV_DROPPED, ERR_CNV_NOT_ACT, rapid_error
 from rapidsim.language.errors import NotAllowed, NotConnected
-from rapidsim.language.moves import Move
+from rapidsim.language.moves import Move, SensorInfluence
 from rapidsim.motion.configurations.targets import (
     MM,
     BeltMotion,
@@ -61,13 +61,15 @@ class BeltTracking:
         conveyor = None if isinstance(move.to, JointTarget) else self.conveyor_of(move.wobj)
         before, travel = self._riding()
         if conveyor is None:
-            leaving = tuple(replace(one, begin=1.0, end=0.0) for one in before)
+            leaving = tuple(replace(one, end=0.0) for one in before)
             return FollowedBelt(leaving, travel, self._zone_before()) if leaving else None
         unit = conveyor.script.unit
         if unit.lower() in inactive:
             raise rapid_error(ERR_CNV_NOT_ACT, f"the conveyor {unit} is not active")
         if self.unit.team is not None:
             raise NotAllowed("robots that move together cannot follow a conveyor")
+        if move.sensed is not SensorInfluence.NEVER:
+            raise NotAllowed("a sensor cannot correct a move that follows a conveyor")
         if conveyor.passed_m is None:
             raise NotConnected(unit)
         starts_s = self._starts_s()
@@ -112,10 +114,13 @@ class BeltTracking:
         base_from_world = self.resolver.base_from_world
         along = base_from_world.rotation @ switch.rotation[:, 0]
         ride = next((one for one in before if one.course is course and one.is_along(along)), None)
-        if ride is None:
+        if ride is not None:
+            before = tuple(one for one in before if one is not ride)
+            ride = replace(ride, end=1.0)
+        else:
             here = float(course.at(np.array([starts_s]))[0])
             ride = BeltRide(course, along, here - travel, 0.0, 1.0)
-        leaving = tuple(replace(one, end=0.0) for one in before if one is not ride)
+        leaving = tuple(replace(one, end=0.0) for one in before)
         user = switch @ _along(ride.zero - conveyor.passed_m)
         stands = BeltMotion(user, switch.rotation[:, 0], travel, travel)
         lasts_s = self._distance_m(move, stands) / max(move.speed.v_tcp * MM, _SLOWEST_M_S)
@@ -141,11 +146,13 @@ class BeltTracking:
 
     def _riding(self) -> tuple[tuple[BeltRide, ...], float]:
         """The belts that the robot follows at the end of its last move, and the axis there [m]."""
-        riding = tuple(replace(one, begin=1.0) for one in self.unit.member.riding)
-        axes = self.unit.moves[-1].segment.carrier_axes if len(self.unit.moves) else None
-        if axes is None or (not riding and not self.unit.queue.is_open):
+        if not self.unit.queue.is_open:
+            return self.unit.trajectory.riding()
+        segment = self.unit.moves[-1].segment
+        if segment.carrier_axes is None:
             return (), 0.0
-        return riding, float(axes[1][-1])
+        riding = tuple(replace(one, begin=1.0) for one in segment.rides if one.end == 1.0)
+        return riding, float(segment.carrier_axes[1][-1])
 
     def _zone_before(self) -> float:
         zone = self.unit.moves[-1].segment.zone if self.unit.queue.is_open else None

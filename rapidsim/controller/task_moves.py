@@ -111,6 +111,7 @@ class TaskMoves:
     def _append(self, move: Move) -> QueuedMove:
         """Resolve a move and append it, in a team when the other tasks have submitted theirs."""
         if self.unit.team is not None:
+            self.belts.followed_by(move, self.state.settings.inactive_units)
             queued = self.synchronisation.submit(move)
             self._report_ignored_options(move, queued)
             return queued

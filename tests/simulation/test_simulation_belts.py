@@ -228,3 +228,25 @@ def test_reports_say_where_the_belt_is(changing: Run, tmp_path: Path) -> None:
     rows = changing.trace(tmp_path / "trace.csv", dt=0.1).read_text().splitlines()
     assert rows[0].endswith(",tcp_speed_mm_s,c1_mm")
     assert float(rows[2].rpartition(",")[2]) == pytest.approx(20.0)
+
+
+def test_a_path_that_is_cleared_on_a_belt_leaves_the_arm_where_it_is(tmp_path: Path) -> None:
+    """Half on the belt it drifts until the next move, without a jump; no path is stored there."""
+    body = r"""
+    MoveJ pWait,v1000,fine,tGrip;
+    WaitWObj wBelt\RelDist:=100;
+    MoveL\Conc,pPart,v100,z10,tGrip\WObj:=wBelt;
+    WaitTime 0.4;
+    StopMove;
+    ClearPath;
+    StartMove;
+    WaitTime 0.2;
+    MoveL Offs(pPart,50,0,0),v100,fine,tGrip\WObj:=wBelt;
+    StorePath;
+"""
+    run = run_of(tmp_path, body, station(100.0))
+    assert run.error is not None
+    assert "StorePath" in run.error.message
+    trajectory = trajectory_of(run)
+    times = np.arange(0.0, trajectory.duration, _STEP_S)
+    assert np.abs(np.diff(trajectory.at(times).joints, n=2, axis=0)).max() < 1e-4

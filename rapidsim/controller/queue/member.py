@@ -13,7 +13,6 @@ from rapidsim.controller.queue.move_log import MoveLog
 from rapidsim.controller.queue.plan_cache import PlanCache
 from rapidsim.frames.rotation_vectors import vector_from_rotation
 from rapidsim.frames.transform import Array
-from rapidsim.motion.geometry.belts import BeltRide
 from rapidsim.motion.geometry.segments import Segment, Waypoint
 from rapidsim.motion.model import MotionModel
 from rapidsim.motion.robot.robot import Robot
@@ -92,14 +91,12 @@ class Member:
     @property
     def is_guided(self) -> bool:
         """Whether a sensor guides the robot or corrects its path, or a belt takes it along."""
-        return self.guided is not None or self.corrected is not None or bool(self.riding)
+        return self.guided is not None or self.corrected is not None or self.rides
 
     @property
-    def riding(self) -> tuple[BeltRide, ...]:
-        """The belts that the robot follows at the end of its last move."""
-        if not len(self.moves):
-            return ()
-        return tuple(one for one in self.moves[-1].segment.rides if one.end == 1.0)
+    def rides(self) -> bool:
+        """Whether a belt takes the robot along at the end of its fixed motion."""
+        return bool(self.trajectory.riding()[0])
 
     def guide(self, guided: GuidedMotion) -> None:
         """Let a guidance, not the path, move a robot at rest."""
@@ -115,6 +112,13 @@ class Member:
         samples = self.at_past(self.trajectory.duration)
         joints: Array = samples.joints[0]
         return Waypoint(joints, self.robot.forward(joints), samples.external[0])
+
+    def end_of_command(self) -> Waypoint:
+        """Waypoint at the end of the path, from which a belt may have taken the arm along."""
+        last = self.trajectory.pieces[-1]
+        wide = last.path.joints_at(np.array([last.to_s]))[0]
+        joints, rest = np.split(wide, [len(self.robot.joints)])
+        return Waypoint(joints, self.robot.forward(joints), rest[: len(self.robot.external)])
 
     def settle_correction(self) -> None:
         """End a path correction of a robot at rest; its path continues where it is."""

@@ -9,6 +9,7 @@ its shape on the belt.
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 
 import numpy as np
 
@@ -63,6 +64,16 @@ class BeltOffsets:
             ahead = one.ride.course.at(times[at]) - one.ride.zero - axis[at]
             offsets[at] += (one.weights(s[at]) * ahead)[:, None] * one.ride.direction
         return offsets
+
+    def riding(self, segment: int, s: float) -> tuple[BeltRide, ...]:
+        """Return the belts that an arm at rest at s [m] follows, each with its weight there."""
+        spans = [one for one in self.spans if one.segment == segment]
+        weights = [float(one.weights(np.array([s]))[0]) for one in spans]
+        return tuple(
+            replace(one.ride, begin=weight, end=weight)
+            for one, weight in zip(spans, weights, strict=True)
+            if weight > 0.0
+        )
 
 
 def belt_offsets(segments: Sequence[Segment], bounds: Array) -> BeltOffsets | None:

@@ -23,6 +23,7 @@ from typing import NamedTuple, overload
 import numpy as np
 
 from rapidsim.frames.transform import Array, Transform
+from rapidsim.motion.geometry.belts import BeltRide
 from rapidsim.motion.geometry.segments import Waypoint
 from rapidsim.motion.kinematics.arm import Mask
 from rapidsim.motion.model import Averages, Smoothing
@@ -207,6 +208,17 @@ class Trajectory:
     def follows_belts(self) -> bool:
         """Whether the arm follows a belt anywhere."""
         return self._follows_belts
+
+    def riding(self) -> tuple[tuple[BeltRide, ...], float]:
+        """Return the belts that the arm follows at the end of its command, and their axis [m]."""
+        if not self._follows_belts or self.pieces[-1].path.belts is None:
+            return (), 0.0
+        last = self.pieces[-1]
+        end = np.array([last.to_s])
+        belts = last.path.belts
+        assert belts is not None
+        riding = belts.riding(int(last.path.segment_at(end)[0]), last.to_s)
+        return riding, float(last.path.joints_at(end)[0, -1]) if riding else 0.0
 
     @property
     def has_ramps(self) -> bool:
