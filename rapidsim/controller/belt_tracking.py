@@ -74,7 +74,7 @@ class BeltTracking:
             raise NotConnected(unit)
         starts_s = self._starts_s()
         if starts_s > conveyor.leaves_s():
-            conveyor.drop()
+            conveyor.drop(self.clock.resolve_time())
             most = conveyor.script.most_mm
             reason = f"the object of {unit} is more than {most:g} mm behind the switch"
             raise rapid_error(ERR_CNV_DROPPED, reason)

@@ -28,6 +28,12 @@ class ConveyorScript:
     """Distance from the switch up to which a robot may follow an object; no key for `length`."""
     runs: Condition | None = None
     """While it holds, the belt runs; no key if it always does."""
+    drops: Condition | None = None
+    """When it becomes true, the connected object is dropped, as by DropWObj."""
+    clears: Condition | None = None
+    """When it becomes true, all objects behind the switch are removed from the queue."""
+    connected: str | None = None
+    """The input that is 1 while an object is connected."""
     switch: str | None = None
     """The input that is 1 for 0.1 s each time that an object passes the switch."""
     arrival: Annotated[str | None, Key("object")] = None
@@ -38,6 +44,12 @@ class ConveyorScript:
     """Position of the switch in the world [mm]."""
     quaternion: tuple[float, float, float, float] = (1.0, 0.0, 0.0, 0.0)
     """Orientation of the switch; the belt travels along its x axis."""
+
+    @property
+    def conditions(self) -> tuple[Condition, ...]:
+        """The conditions that signals decide."""
+        every = (self.runs, self.drops, self.clears)
+        return tuple(one for one in every if one is not None)
 
     @property
     def has_place(self) -> bool:

@@ -23,6 +23,8 @@ SWITCH_S = 0.1
 
 Schedule: TypeAlias = Callable[[str, float, Callable[[float], bool]], None]
 """Lets a signal be 1 for a moment, at a time [s], if a function of that time is true then."""
+Show: TypeAlias = Callable[[str, float, float], None]
+"""Sets a signal to a value at a time [s]."""
 
 
 @value_class(slots=True, eq=False)
@@ -46,11 +48,14 @@ class ConveyorState:
     _changes: int = 0
     """Number of times that the belt has started or stopped."""
     _schedule: Schedule | None = None
+    _show: Show | None = None
+    _held: tuple[bool, bool] = (False, False)
+    """Conditions of `_holding` after the last change of a signal."""
     _runs: bool = field(init=False)
 
     def __post_init__(self) -> None:
         """Look whether it runs at the start."""
-        self._runs = self._is_running()
+        self._runs, self._held = self._is_running(), self._holding()
         self.course = BeltCourse(self.script.unit, self._speed_m_s if self._runs else 0.0)
 
     @property
@@ -81,6 +86,16 @@ class ConveyorState:
         """Whether signals may stop the belt."""
         return self.script.runs is not None
 
+    @property
+    def is_wired(self) -> bool:
+        """Whether signals act on the belt or its objects."""
+        return bool(self.script.conditions)
+
+    @property
+    def shows_connection(self) -> bool:
+        """Whether a signal is 1 while an object is connected."""
+        return self.script.connected is not None
+
     def next_s(self, now_s: float, distance_mm: float) -> float | None:
         """Time [s] at which the next object has travelled a distance if the belt goes on as now.
 
@@ -97,21 +112,32 @@ class ConveyorState:
         return now_s + wait_s if wait_s <= 0.0 or self._runs else math.inf
 
     def listens_to(self, signal: str) -> bool:
-        """Whether a signal may start or stop the belt."""
-        runs = self.script.runs
-        return runs is not None and signal.lower() in [one.lower() for one in runs.signals()]
+        """Whether a signal acts on the belt or its objects."""
+        folded = signal.lower()
+        names = (name for condition in self.script.conditions for name in condition.signals())
+        return any(name.lower() == folded for name in names)
 
     def signal_changed(self, signal: str, old: float, value: float, now_s: float) -> None:
-        """Start or stop the belt."""
+        """Start or stop the belt, drop the connected object, or remove those that wait."""
+        before, self._held = self._held, self._holding()
+        if self._held[0] and not before[0]:
+            self.drop(now_s)
+        if self._held[1] and not before[1]:
+            while (passed_s := self._passes_s()) is not None and passed_s <= self._belt_s(now_s):
+                self._next += 1
+        if self._is_running() != self._runs:
+            self._start_or_stop(now_s)
+
+    def _start_or_stop(self, now_s: float) -> None:
         self._travelled_s = self._belt_s(now_s)
         self._since_s, self._runs = now_s, self._is_running()
         self.course.change(now_s, self._speed_m_s if self._runs else 0.0)
         self._changes += 1
         self._watch_switch(now_s)
 
-    def begin(self, schedule: Schedule) -> None:
-        """Operate the switch from time zero on."""
-        self._schedule = schedule
+    def begin(self, schedule: Schedule, show: Show) -> None:
+        """Operate the switch from time zero on, and the signal of the connection."""
+        self._schedule, self._show = schedule, show
         self._watch_switch(0.0)
 
     def _watch_switch(self, now_s: float) -> None:
@@ -137,13 +163,27 @@ class ConveyorState:
     def _is_running(self) -> bool:
         return self.script.runs is None or self.script.runs.holds(self.read)
 
-    def connect(self) -> None:
-        """Take the next object."""
+    def connect(self, now_s: float) -> None:
+        """Take the next object at a time [s]."""
         self._connected, self._next = self._next, self._next + 1
+        self._show_connection(now_s)
 
-    def drop(self) -> None:
-        """Release the object."""
+    def drop(self, now_s: float) -> None:
+        """Release the object at a time [s], which counts if a signal shows it."""
         self._connected = None
+        self._show_connection(now_s)
+
+    def _show_connection(self, now_s: float) -> None:
+        if self.script.connected is not None and self._show is not None:
+            self._show(self.script.connected, float(self.is_connected), now_s)
+
+    def _holding(self) -> tuple[bool, bool]:
+        """Whether the conditions hold that drop the object and that remove those that wait."""
+        drops, clears = self.script.drops, self.script.clears
+        return (
+            drops is not None and drops.holds(self.read),
+            clears is not None and clears.holds(self.read),
+        )
 
     def _passes_s(self) -> float | None:
         """Time [s] of the belt at which the next object passes the switch; None for none."""

@@ -276,7 +276,7 @@ class CellIo:
     def written(self) -> tuple[str, ...]:
         """Names of the signals that follow others or are driven, each once."""
         driven = [name for stimulus in self.stimuli for name in stimulus.values]
-        driven += [one.switch for one in self.conveyors if one.switch]
+        driven += [name for one in self.conveyors for name in (one.switch, one.connected) if name]
         return tuple(dict.fromkeys((*(cross.result for cross in self.crosses), *driven)))
 
     @property
@@ -284,7 +284,7 @@ class CellIo:
         """Names of the signals that connections, stimuli and grippers read, each once."""
         looked_at = [cross.condition for cross in self.crosses]
         looked_at += [stimulus.when for stimulus in self.stimuli if stimulus.when]
-        looked_at += [one.runs for one in self.conveyors if one.runs]
+        looked_at += [condition for one in self.conveyors for condition in one.conditions]
         for gripper in self.grippers:
             looked_at += [one for one in (gripper.close, gripper.closed) if one is not None]
         return tuple(dict.fromkeys(name for one in looked_at for name in one.signals()))
