@@ -35,7 +35,7 @@ from rapidsim.motion.geometry.belts import BeltRide
 
 _SLOWEST_M_S = 1e-3
 _STARTS_IN_S = 0.1
-"""Time [s] that a move takes longer than at its programmed speed, at a guess."""
+"""Time [s] that a move from rest takes longer than at its programmed speed, at a guess."""
 
 
 @dataclass(slots=True, eq=False)
@@ -124,10 +124,12 @@ class BeltTracking:
         user = switch @ _along(ride.zero - conveyor.passed_m)
         stands = BeltMotion(user, switch.rotation[:, 0], travel, travel)
         lasts_s = self._distance_m(move, stands) / max(move.speed.v_tcp * MM, _SLOWEST_M_S)
+        if not self.unit.queue.is_open:
+            lasts_s += _STARTS_IN_S
         # A belt that is left is the one that the axis stands for.
-        end = travel if leaving else travel + course.speed * (lasts_s + _STARTS_IN_S)
+        end = travel if leaving else travel + course.speed * lasts_s
         if leaving:
-            zero = course.belt_at(starts_s) + course.speed * (lasts_s + _STARTS_IN_S) - travel
+            zero = course.belt_at(starts_s) + course.speed * lasts_s - travel
             ride = replace(ride, zero=zero)
             user = switch @ _along(zero - conveyor.passed_m)
         motion = replace(stands, world_from_user=user, end=end)

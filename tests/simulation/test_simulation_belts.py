@@ -250,3 +250,38 @@ def test_a_path_that_is_cleared_on_a_belt_leaves_the_arm_where_it_is(tmp_path: P
     trajectory = trajectory_of(run)
     times = np.arange(0.0, trajectory.duration, _STEP_S)
     assert np.abs(np.diff(trajectory.at(times).joints, n=2, axis=0)).max() < 1e-4
+
+
+def test_an_arm_goes_from_one_belt_to_another(tmp_path: Path) -> None:
+    """The second runs the other way; at both stop points the TCP is at its target on the belt."""
+    (tmp_path / "belts.mod").write_text(
+        _DATA.replace(
+            "  PROC main()",
+            '  PERS wobjdata wTo:=[FALSE,FALSE,"CNV2",[[0,0,0],[1,0,0,0]],[[0,0,0],[1,0,0,0]]];\n'
+            "  CONST robtarget pPut:="
+            "[[0,0,80],[0,1,0,0],[0,0,-1,0],[9E9,9E9,9E9,9E9,9E9,9E9]];\n  PROC main()",
+        )
+        + r"""
+    MoveJ pWait,v1000,fine,tGrip;
+    WaitWObj wBelt\RelDist:=200;
+    MoveL pPart,v800,fine,tGrip\WObj:=wBelt;
+    WaitWObj wTo\RelDist:=100;
+    MoveL Offs(pPut,0,0,30),v800,z10,tGrip\WObj:=wTo;
+    MoveL pPut,v400,fine,tGrip\WObj:=wTo;
+    here:=CRobT(\Tool:=tGrip\WObj:=wTo);
+    TPWrite ValToStr(here.trans);
+    MoveJ pWait,v1000,fine,tGrip;
+  ENDPROC
+ENDMODULE
+"""
+    )
+    other = '\n[[conveyor]]\nunit = "CNV2"\nspeed = 200\nat = 0.5\nevery = 1\nlength = 600\n'
+    other += "maximum = 900\nposition = [700, 500, 400]\nquaternion = [0, 0, 0, 1]\n"
+    (tmp_path / "rapidsim.toml").write_text(station(150.0) + other)
+    run = rapidsim.load(tmp_path).run()
+    assert run.end == "ended", run.diagnostics
+    assert not [one for one in run.diagnostics if one.severity == "error"]
+    assert "[0,0,80]" in [event.message for event in run.events]
+    trajectory = trajectory_of(run)
+    times = np.arange(0.0, trajectory.duration, _STEP_S)
+    assert np.abs(np.diff(trajectory.at(times).joints, n=2, axis=0)).max() < 1e-4

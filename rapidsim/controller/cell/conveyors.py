@@ -49,13 +49,13 @@ class ConveyorState:
     """Number of times that the belt has started or stopped."""
     _schedule: Schedule | None = None
     _show: Show | None = None
-    _held: tuple[bool, bool] = (False, False)
+    _conditions: tuple[bool, bool] = (False, False)
     """Conditions of `_holding` after the last change of a signal."""
     _runs: bool = field(init=False)
 
     def __post_init__(self) -> None:
         """Look whether it runs at the start."""
-        self._runs, self._held = self._is_running(), self._holding()
+        self._runs, self._conditions = self._is_running(), self._holding()
         self.course = BeltCourse(self.script.unit, self._speed_m_s if self._runs else 0.0)
 
     @property
@@ -119,10 +119,10 @@ class ConveyorState:
 
     def signal_changed(self, signal: str, old: float, value: float, now_s: float) -> None:
         """Start or stop the belt, drop the connected object, or remove those that wait."""
-        before, self._held = self._held, self._holding()
-        if self._held[0] and not before[0]:
+        before, self._conditions = self._conditions, self._holding()
+        if self._conditions[0] and not before[0]:
             self.drop(now_s)
-        if self._held[1] and not before[1]:
+        if self._conditions[1] and not before[1]:
             while (passed_s := self._passes_s()) is not None and passed_s <= self._belt_s(now_s):
                 self._next += 1
         if self._is_running() != self._runs:

@@ -25,7 +25,7 @@ from rapidsim.motion.path.path import Path
 from rapidsim.motion.timing.time_scaling import TimeScaling
 from rapidsim.motion.trajectory.command import Piece
 from rapidsim.motion.trajectory.corrected_section import moved_joints
-from rapidsim.motion.trajectory.limit_shares import limit_shares, reason_lost
+from rapidsim.motion.trajectory.limit_shares import limit_shares, reasons_lost
 from rapidsim.values import value_class
 
 _MOST_PLANS = 12
@@ -235,9 +235,7 @@ def _used(
     )
     speed, torque = limit_shares(samples, kinematics, member.limits, load, allowed)
     robot = member.robot
-    reason = reason_lost(samples, robot)
-    if reason is not None:
-        at, why = reason
+    for at, why in reasons_lost(samples, robot).items():
         return _fault(int(segment[at]), 1.0, f"at {times[at]:.3f} s {why}")
     used = np.zeros(len(path.segments))
     np.maximum.at(used, segment, np.maximum(speed, np.sqrt(torque)))

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+
 import numpy as np
 
 from rapidsim.frames.transform import Array
@@ -40,17 +42,15 @@ def limit_shares(
     return (np.abs(rates) / limits.max_speed).max(axis=1), used.max(axis=1) / near
 
 
-def reason_lost(samples: Samples, robot: Robot) -> tuple[int, str] | None:
-    """Return the first sample in which the arm cannot be where a belt takes it, and why."""
+def reasons_lost(samples: Samples, robot: Robot) -> Mapping[int, str]:
+    """Return the samples in which the arm cannot be where a belt takes it, with the reasons."""
     if samples.lost is None:
-        return None
+        return {}
     beyond = np.maximum(robot.lower - samples.joints, samples.joints - robot.upper)
-    found = np.flatnonzero(samples.lost | (beyond.max(axis=1) > _LIMIT))
-    if not len(found):
-        return None
-    first = int(found[0])
-    if samples.lost[first]:
-        return first, _OUT_OF_REACH
-    axis = int(beyond[first].argmax())
-    over = robot.axes.text(axis, float(beyond[first, axis]))
-    return first, f"axis {axis + 1} is {over} past its limit"
+    reasons = {}
+    for at in np.flatnonzero(samples.lost | (beyond.max(axis=1) > _LIMIT)).tolist():
+        axis = int(beyond[at].argmax())
+        over = robot.axes.text(axis, float(beyond[at, axis]))
+        past = f"axis {axis + 1} is {over} past its limit"
+        reasons[at] = _OUT_OF_REACH if samples.lost[at] else past
+    return reasons

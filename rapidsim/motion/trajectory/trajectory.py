@@ -283,6 +283,8 @@ class Trajectory:
         moves are short.
         """
         times = np.atleast_1d(np.asarray(times, dtype=np.float64))
+        # Where a belt has taken the arm elsewhere, parts of equal width would span the jump.
+        coarse = coarse and not self._follows_belts
         samples = self._planned(times, coarse) if self.command.last_row else self._standing(times)
         for led in self._corrected:
             beside = (led.start_s <= times) & (times < led.until_s)

@@ -6,23 +6,26 @@ plan: the belt has started or stopped, or has run on while the program waited.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 import numpy as np
 
+from rapidsim.controller.moves.executed_move import ExecutedMove
 from rapidsim.controller.moves.executed_moves import ExecutedMoves
 from rapidsim.controller.moves.queued_move import QueuedMove
 from rapidsim.diagnostics import Diagnostic
 from rapidsim.findings.belts import BeltNotFollowed
-from rapidsim.frames.transform import Array
 from rapidsim.motion.geometry.segments import Segment
 from rapidsim.motion.robot.robot import Robot
 from rapidsim.motion.timing.axis_limits import Limits
-from rapidsim.motion.trajectory.limit_shares import limit_shares, reason_lost
+from rapidsim.motion.trajectory.limit_shares import limit_shares, reasons_lost
 from rapidsim.motion.trajectory.trajectory import Trajectory
+from rapidsim.values import value_class
 
 _STEP_S = 0.004
 _WORTH_SAYING = 1.05
+_MOST_MOVES = 500
+"""Number of moves that are looked at in one go."""
 
 
 def belt_findings(
@@ -46,43 +49,64 @@ def belt_findings(
     """
     if not trajectory.follows_belts:
         return
-    starts_s = np.append(moves.columns.start_s, max(end_s, trajectory.duration))
+    for stretch in _stretches(moves, max(end_s, trajectory.duration)):
+        yield from _of_stretch(stretch, trajectory, limits, robot, by_axes=by_axes)
+
+
+@value_class(frozen=True, slots=True, eq=False)
+class _Ride:
+    """A move on a belt, with the time [s] until which the arm follows from there."""
+
+    move: ExecutedMove
+    segment: Segment
+    until_s: float
+
+
+def _stretches(moves: ExecutedMoves, end_s: float) -> Iterator[Sequence[_Ride]]:
+    """Yield successive moves on belts, not too many at once."""
+    starts_s = np.append(moves.columns.start_s, end_s)
+    found: list[_Ride] = []
     for number, row in enumerate(moves.columns.rows):
-        if not isinstance(row, QueuedMove) or not row.segment.rides:
-            continue
-        move, segment = moves[number], row.segment
-        rides_on = segment.rides[-1].end == 1.0
-        until_s = float(starts_s[number + 1]) if rides_on else move.end_s
-        times = np.arange(move.start_s - _STEP_S, until_s + 2.0 * _STEP_S, _STEP_S)
-        worst = _worst(times, trajectory, limits, robot, segment, by_axes=by_axes)
-        if worst is not None:
-            conveyor = segment.rides[-1].course.name
-            found = BeltNotFollowed(conveyor, *worst)
-            yield Diagnostic(found, move.place.span, routine=move.place.routine)
+        rides = row.segment.rides if isinstance(row, QueuedMove) else ()
+        if isinstance(row, QueuedMove) and rides:
+            move = moves[number]
+            until_s = float(starts_s[number + 1]) if rides[-1].end == 1.0 else move.end_s
+            found.append(_Ride(move, row.segment, until_s))
+        if found and (not rides or len(found) == _MOST_MOVES):
+            yield found
+            found = []
+    if found:
+        yield found
 
 
-def _worst(
-    times: Array,
+def _of_stretch(
+    stretch: Sequence[_Ride],
     trajectory: Trajectory,
     limits: Limits,
     robot: Robot,
-    segment: Segment,
     *,
     by_axes: bool,
-) -> tuple[float, str] | None:
-    """Return when [s] and why the arm cannot follow at times (k,) [s]; None if it can."""
+) -> Iterator[Diagnostic]:
+    begin_s, end_s = stretch[0].move.start_s, stretch[-1].until_s
+    times = np.arange(begin_s - _STEP_S, end_s + 2.0 * _STEP_S, _STEP_S)
     samples = trajectory.at(times)
-    lost = reason_lost(samples, robot)
-    if lost is not None:
-        return float(times[lost[0]]), lost[1]
-    count = len(times)
-    of_move = np.full(count, segment.load), np.full(count, segment.acceleration_share)
-    speed, torque = limit_shares(samples, robot.kinematics, limits, *of_move)
-    used = [(speed, "speed of an axis")]
-    if by_axes:
-        used.append((torque, "torque or acceleration of an axis"))
-    for share, what in used:
-        at = int(share.argmax())
-        if share[at] > _WORTH_SAYING:
-            return float(times[at]), f"it needs {share[at]:.2f} times the {what}"
-    return None
+    starts_s = [one.move.start_s for one in stretch]
+    of = np.maximum(np.searchsorted(starts_s, times, side="right") - 1, 0)
+    load = np.array([one.segment.load for one in stretch])[of]
+    allowed = np.array([one.segment.acceleration_share for one in stretch])[of]
+    speed, torque = limit_shares(samples, robot.kinematics, limits, load, allowed)
+    lost = reasons_lost(samples, robot)
+    for number, one in enumerate(stretch):
+        at = np.flatnonzero((of == number) & (times <= one.until_s))
+        why = next(((k, lost[k]) for k in at.tolist() if k in lost), None)
+        used = [(speed, "speed of an axis")]
+        if by_axes:
+            used.append((torque, "torque or acceleration of an axis"))
+        for share, what in used:
+            worst = int(at[share[at].argmax()]) if len(at) else 0
+            if why is None and len(at) and share[worst] > _WORTH_SAYING:
+                why = worst, f"it needs {share[worst]:.2f} times the {what}"
+        if why is not None:
+            k, reason = why
+            found = BeltNotFollowed(one.segment.rides[-1].course.name, float(times[k]), reason)
+            yield Diagnostic(found, one.move.place.span, routine=one.move.place.routine)
