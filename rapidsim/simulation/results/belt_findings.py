@@ -49,8 +49,8 @@ def belt_findings(
     """
     if not trajectory.follows_belts:
         return
-    for stretch in _stretches(moves, max(end_s, trajectory.duration)):
-        yield from _of_stretch(stretch, trajectory, limits, robot, by_axes=by_axes)
+    for section in _sections(moves, max(end_s, trajectory.duration)):
+        yield from _of_section(section, trajectory, limits, robot, by_axes=by_axes)
 
 
 @value_class(frozen=True, slots=True, eq=False)
@@ -62,7 +62,7 @@ class _Ride:
     until_s: float
 
 
-def _stretches(moves: ExecutedMoves, end_s: float) -> Iterator[Sequence[_Ride]]:
+def _sections(moves: ExecutedMoves, end_s: float) -> Iterator[Sequence[_Ride]]:
     """Yield successive moves on belts, not too many at once."""
     starts_s = np.append(moves.columns.start_s, end_s)
     found: list[_Ride] = []
@@ -79,24 +79,24 @@ def _stretches(moves: ExecutedMoves, end_s: float) -> Iterator[Sequence[_Ride]]:
         yield found
 
 
-def _of_stretch(
-    stretch: Sequence[_Ride],
+def _of_section(
+    section: Sequence[_Ride],
     trajectory: Trajectory,
     limits: Limits,
     robot: Robot,
     *,
     by_axes: bool,
 ) -> Iterator[Diagnostic]:
-    begin_s, end_s = stretch[0].move.start_s, stretch[-1].until_s
+    begin_s, end_s = section[0].move.start_s, section[-1].until_s
     times = np.arange(begin_s - _STEP_S, end_s + 2.0 * _STEP_S, _STEP_S)
     samples = trajectory.at(times)
-    starts_s = [one.move.start_s for one in stretch]
+    starts_s = [one.move.start_s for one in section]
     of = np.maximum(np.searchsorted(starts_s, times, side="right") - 1, 0)
-    load = np.array([one.segment.load for one in stretch])[of]
-    allowed = np.array([one.segment.acceleration_share for one in stretch])[of]
+    load = np.array([one.segment.load for one in section])[of]
+    allowed = np.array([one.segment.acceleration_share for one in section])[of]
     speed, torque = limit_shares(samples, robot.kinematics, limits, load, allowed)
     lost = reasons_lost(samples, robot)
-    for number, one in enumerate(stretch):
+    for number, one in enumerate(section):
         at = np.flatnonzero((of == number) & (times <= one.until_s))
         why = next(((k, lost[k]) for k in at.tolist() if k in lost), None)
         used = [(speed, "speed of an axis")]
