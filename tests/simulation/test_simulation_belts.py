@@ -285,3 +285,23 @@ ENDMODULE
     trajectory = trajectory_of(run)
     times = np.arange(0.0, trajectory.duration, _STEP_S)
     assert np.abs(np.diff(trajectory.at(times).joints, n=2, axis=0)).max() < 1e-4
+
+
+def test_an_arm_that_has_left_a_belt_is_off_it_to_the_last_bit(tmp_path: Path) -> None:
+    """Twelve times: the weight at the end of a path is rounded differently each time."""
+    body = r"""
+    FOR i FROM 0 TO 11 DO
+      MoveJ pWait,v1000,fine,tGrip;
+      WaitWObj wBelt\RelDist:=150;
+      MoveL pPart,v800,fine,tGrip\WObj:=wBelt;
+      MoveL pWait,v1000,fine,tGrip;
+      DropWObj wBelt;
+    ENDFOR
+"""
+    run = run_of(tmp_path, body, station(200.0))
+    assert run.end == "ended", run.diagnostics
+    steps = run.simulation.robots[0].moves
+    trajectory = trajectory_of(run)
+    ends_s = np.array([move.end_s + 0.05 for move in steps[2::3]][:-1])
+    places = trajectory.at(ends_s).base_from_tcp.translation
+    assert np.abs(places - np.array([0.05, 0.6, 0.65])).max() < 1e-6

@@ -19,6 +19,7 @@ from rapidsim.motion.geometry.curves import Index
 from rapidsim.motion.geometry.segments import Segment
 from rapidsim.values import value_class
 
+_ROUNDING = 1e-9
 _LEAST_RAMP = 0.5
 """Share of a segment over which the weight changes at least, however large its zones are."""
 
@@ -72,7 +73,7 @@ class BeltOffsets:
         return tuple(
             replace(one.ride, begin=weight, end=weight)
             for one, weight in zip(spans, weights, strict=True)
-            if weight > 0.0
+            if weight > _ROUNDING
         )
 
 
