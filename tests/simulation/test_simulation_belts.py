@@ -303,3 +303,17 @@ def test_an_arm_that_has_left_a_belt_is_off_it_to_the_last_bit(changing: Run) ->
         assert offsets is not None
         assert not offsets.riding(0, end)
         assert offsets.riding(0, start)
+
+
+def test_a_check_finds_targets_that_a_belt_takes_nowhere_within_reach(tmp_path: Path) -> None:
+    """Main ends before the moves, so that no run tells."""
+    body = r"""
+    WaitUntil FALSE;
+    MoveL pPart,v400,fine,tGrip\WObj:=wBelt;
+    MoveL Offs(pPart,0,0,1500),v400,fine,tGrip\WObj:=wBelt;
+"""
+    (tmp_path / "rapidsim.toml").write_text(station(200.0))
+    (tmp_path / "belts.mod").write_text(f"{_DATA}{body}\n  ENDPROC\nENDMODULE\n")
+    found = [one for one in rapidsim.load(tmp_path).check().diagnostics if one.code == "K601"]
+    assert len(found) == 1
+    assert "all along 420 mm" in found[0].message
