@@ -35,7 +35,7 @@ from rapidsim.collisions.self_pairs import judged_pairs, link_frame, random_post
 from rapidsim.collisions.shape import Shape
 from rapidsim.frames.transform import Array, Transform
 from rapidsim.motion.robot.robot import Robot
-from rapidsim.motion.trajectory.trajectory import JointSamples
+from rapidsim.motion.trajectory.samples import JointSamples
 
 TEN_ARMS = (
     "irb120-3-0.58", "irb140-6-0.81", "irb1200-7-0.7", "irb1600-6-1.2", "irb2600-12-1.85",

@@ -16,7 +16,7 @@ from typing import Any, Literal, get_args, get_origin
 
 from rapidsim.collisions.geometry import Colour, IgnoredPair, Parent
 from rapidsim.controller.cell.conditions import Condition
-from rapidsim.controller.cell.conveyors import ConveyorScript
+from rapidsim.controller.cell.conveyor_scripts import ConveyorScript
 from rapidsim.controller.cell.description import (
     CrossConnection,
     DescribedFingers,

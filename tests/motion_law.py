@@ -14,7 +14,8 @@ from rapidsim.motion.model import Smoothing
 from rapidsim.motion.path.path import Path
 from rapidsim.motion.timing.axis_limits import Limits
 from rapidsim.motion.trajectory.command import MotionCommand, Piece
-from rapidsim.motion.trajectory.trajectory import Samples, Trajectory
+from rapidsim.motion.trajectory.samples import Samples
+from rapidsim.motion.trajectory.trajectory import Trajectory
 
 STEP = 1e-3
 MOST_SAMPLES = cases(15_000)

@@ -15,7 +15,7 @@ from rapidsim.collisions.shape import Shape
 from rapidsim.frames.transform import Array, Transform
 from rapidsim.motion.configurations.targets import world_from_base_at, world_from_unit_at
 from rapidsim.motion.robot.robot import Robot
-from rapidsim.motion.trajectory.trajectory import JointSamples
+from rapidsim.motion.trajectory.samples import JointSamples
 from rapidsim.values import value_class
 
 STEP_S = 0.016

@@ -6,6 +6,7 @@ Each concern is a module here and gets what it uses at construction; tasks share
 from __future__ import annotations
 
 from rapidsim.controller.axis_signals import TaskAxisSignals
+from rapidsim.controller.belt_tracking import BeltTracking
 from rapidsim.controller.cameras import TaskCameras
 from rapidsim.controller.cell.cell import CELL_TASK, Cause, Cell
 from rapidsim.controller.cell.message_queues import QueueSettings
@@ -94,15 +95,18 @@ def virtual_controller(
     execution = TaskExecution(clock, unit, cell, table, StopProcesses(clock, cell))
     speeds = SpeedOutputs(unit, cell)
     guidance = TaskGuidance(clock, unit, cell, resolver, state, journal)
+    belts = BeltTracking(clock, unit, cell, resolver)
     reader = PositionReader(unit, resolver)
     others = TaskCoordination(clock, unit, cell, resolver, state, reader, journal.task, has_robot)
-    resolver.holders.find = others.holder
+    resolver.holders.find = lambda wobj, time_s: (
+        belts.holder(wobj, time_s) or others.holder(wobj.ufmec)
+    )
     stands = StandstillOutputs(unit, cell, others, Cause(journal.for_task(CELL_TASK)))
     execution.stopped = stands.program_stopped
     clock.event_sources = (execution, cell, guidance, marks, watched, speeds, stands, interrupts)
     synchronisation = TaskSynchronisation(clock, unit, cell, resolver, table, marks, state, others)
     own = clock, unit, cell, resolver, table, marks, watched, journal, state, interrupts
-    moves = TaskMoves(*own, synchronisation)
+    moves = TaskMoves(*own, synchronisation, belts)
     triggers = Triggers(clock, unit, cell, marks, interrupts, speeds)
     motion = TaskMotion(clock, unit, cell, resolver, state, triggers, moves.put, reader)
     own_queue = cell.messages.open_for(journal.task, queue or QueueSettings())

@@ -126,6 +126,8 @@ class TaskGuidance:
             raise NotAllowed("a sensor guides the robot already; EGMStop ends that")
         if self.unit.team is not None:
             raise NotAllowed("robots that move together cannot be guided by a sensor")
+        if self.unit.member.rides:
+            raise NotAllowed("a robot that follows a conveyor cannot be guided by a sensor")
         self._end_correction()
         if len(terms.chosen) == len(one.activation.bands) and not any(terms.chosen):
             return

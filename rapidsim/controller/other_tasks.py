@@ -86,9 +86,9 @@ class TaskCoordination:
         seen = path.at(np.array([now_s]))
         axes, world_from_base = robot.external, other.resolver.base_from_world.inverse()
         world_from_base = world_from_base_at(axes, world_from_base, seen.external)[0]
-        world_from_flange = world_from_base @ robot.forward(seen.joints[0])
+        world_from_user = world_from_base @ robot.forward(seen.joints[0])
         moves = now_s < path.duration - _ROUNDING_S or other.unit.member.is_guided
-        return Holder(unit, moves, world_from_flange)
+        return Holder(unit, moves, world_from_user)
 
     def _is_called(self, unit: str) -> bool:
         """Whether its robot has a folded name."""

@@ -111,6 +111,8 @@ class TaskPathControl:
         if self.state.searches and not self.unit.member.level:
             raise NotAllowed("StorePath in a trap while the robot searches; ISleep the interrupt")
         self._require_standstill("StorePath")
+        if self.unit.member.rides:
+            raise NotAllowed("StorePath while the robot follows a conveyor; leave it before")
         self.unit.store_path(keep_sync=keep_sync)
 
     def restore_path(self) -> None:

@@ -26,7 +26,7 @@ from rapidsim.motion.guidance.joint_law import CYCLE_S
 from rapidsim.motion.guidance.path_correction import PathCorrection
 from rapidsim.motion.trajectory.corrected_section import CorrectedSection
 from rapidsim.motion.trajectory.guided_section import GuidedSection
-from rapidsim.motion.trajectory.trajectory import Samples
+from rapidsim.motion.trajectory.samples import Samples
 
 _TOLD_AHEAD: Final = 3
 """Number of samples sent at once to a sensor with look-ahead."""

@@ -119,7 +119,8 @@ class PositionReader:
         # Another robot that holds the work object may have moved since.
         if known is None or self.resolver.may_have_carrier(wobj):
             joints, external = reading.joints, reading.external
-            known = self.resolver.target(joints, external, tool, wobj, place)
+            time_s = reading.time_s
+            known = self.resolver.target(joints, external, tool, wobj, place, time_s)
             reading.targets[tool, wobj] = known
         return known
 

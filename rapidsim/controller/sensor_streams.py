@@ -29,7 +29,7 @@ from rapidsim.motion.guidance.feedback import (
     standing_feedback,
 )
 from rapidsim.motion.guidance.sensor import SensorAnswer
-from rapidsim.motion.trajectory.trajectory import Samples
+from rapidsim.motion.trajectory.samples import Samples
 
 TELLS_S: Final = 0.020
 """Period [s] at which the controller reads the robot's position for a stream without answers."""

@@ -27,6 +27,7 @@ from rapidsim.controller.queue.path_marks import PathMarks
 from rapidsim.controller.queue.synchronised_tasks import SynchronisedTasks
 from rapidsim.findings.reach_and_motion_data import CoordinationImpossible
 from rapidsim.language.error_numbers import ERR_ARGVALERR, rapid_error
+from rapidsim.language.errors import NotAllowed
 from rapidsim.language.moves import Move
 from rapidsim.motion.configurations.targets import CarrierMotion, carrier_motion
 
@@ -67,6 +68,8 @@ class TaskSynchronisation:
         self.coordination.require_listed("SyncMoveOn", name, tasks)
         self.clock.note_line()
         self.clock.bring_to_rest()
+        if self.unit.member.rides:
+            raise NotAllowed("SyncMoveOn while the robot follows a conveyor; leave it before")
         meeting = self.coordination.rendezvous("SyncMoveOn", name, tasks, max_time)
         if meeting is None:
             return False

@@ -6,6 +6,7 @@ import math
 from collections.abc import Callable
 from typing import Protocol
 
+from rapidsim.controller.belt_tracking import BeltTracking
 from rapidsim.controller.cell.cell import Cell
 from rapidsim.controller.clock import TaskClock
 from rapidsim.controller.interrupt_table import InterruptTable
@@ -70,6 +71,7 @@ class TaskMoves:
     state: MotionState
     interrupts: TaskInterrupts
     synchronisation: TaskSynchronisation
+    belts: BeltTracking
 
     def put(self, move: Move, before: Callable[[QueuedMove], None], *, wait: bool = True) -> None:
         r"""Append a move to the path, in a team together with the moves of the other tasks.
@@ -109,6 +111,7 @@ class TaskMoves:
     def _append(self, move: Move) -> QueuedMove:
         """Resolve a move and append it, in a team when the other tasks have submitted theirs."""
         if self.unit.team is not None:
+            self.belts.followed_by(move, self.state.settings.inactive_units)
             queued = self.synchronisation.submit(move)
             self._report_ignored_options(move, queued)
             return queued
@@ -143,8 +146,12 @@ class TaskMoves:
             start = self.resolver.first_start(move, place, member.end, settings)
             if start is not None:
                 self.unit.begin_at(start)
+        belt = self.belts.followed_by(move, settings.inactive_units)
         return self.resolver.resolve(
-            move, place, member.end, settings, is_first=is_first, starts_free=is_free
+            *(move, place, member.end, settings),
+            is_first=is_first,
+            starts_free=is_free,
+            belt=belt,
         )
 
     def _wait_for_stop(self, move: Move) -> None:

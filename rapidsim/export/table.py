@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 
 import numpy as np
 
 from rapidsim.files import InputError
 from rapidsim.frames.transform import Array
+from rapidsim.motion.geometry.belts import BeltCourse
 from rapidsim.motion.robot.external_axes import ExternalAxis
-from rapidsim.motion.trajectory.trajectory import Samples
+from rapidsim.motion.trajectory.samples import Samples
 from rapidsim.simulation.results.simulation import RobotRun, Simulation
 from rapidsim.values import value_class
 
@@ -48,6 +50,11 @@ def columns(joint_count: int, external_count: int = 0) -> tuple[str, ...]:
     return ("time_s", "move", *joints, *external, *pose, "tcp_speed_mm_s")
 
 
+def belt_columns(simulation: Simulation) -> tuple[str, ...]:
+    """Return the names of the columns for the travel of belts, in the order of the station."""
+    return tuple(f"c{k}_mm" for k in range(1, len(simulation.belts) + 1))
+
+
 def blocks(simulation: Simulation, dt: float) -> Iterator[RowBlock]:
     """Return the rows in blocks: every `dt` [s] from 0, and the exact end.
 
@@ -57,7 +64,10 @@ def blocks(simulation: Simulation, dt: float) -> Iterator[RowBlock]:
     times, widths = sample_times(simulation, dt), table_widths(simulation)
     several = len(simulation.robots) > 1
     return (
-        _block_of(one, offset, times[begin : begin + BLOCK], widths, several=several)
+        _with_belts(
+            simulation.belts,
+            _block_of(one, offset, times[begin : begin + BLOCK], widths, several=several),
+        )
         for one, offset in zip(simulation.robots, simulation.move_offsets, strict=True)
         for begin in range(0, len(times), BLOCK)
     )
@@ -87,6 +97,14 @@ def _block_of(
     )
     moves = [offset + move for move in own.move]
     return RowBlock(moves, numbers, robot_run.task if several else None)
+
+
+def _with_belts(belts: Sequence[BeltCourse], rows: RowBlock) -> RowBlock:
+    """Return rows with the travel [mm] of belts."""
+    times = rows.numbers[0]
+    if not belts or times is None:
+        return rows
+    return replace(rows, numbers=(*rows.numbers, *(belt.at(times) * _MM_PER_M for belt in belts)))
 
 
 def sample_times(simulation: Simulation, dt: float) -> Array:

@@ -23,6 +23,7 @@ from rapidsim.export.joint_trajectory import write_joint_trajectory
 from rapidsim.export.table import (
     DEFAULT_DT,
     RowBlock,
+    belt_columns,
     block,
     blocks,
     columns,
@@ -32,7 +33,7 @@ from rapidsim.export.table import (
 from rapidsim.extras import require
 from rapidsim.files import InputError
 from rapidsim.frames.euler import Convention, euler_from_rotation
-from rapidsim.motion.trajectory.trajectory import Samples
+from rapidsim.motion.trajectory.samples import Samples
 from rapidsim.output_files import whole_file
 from rapidsim.simulation.results.simulation import Simulation
 
@@ -55,7 +56,7 @@ def write_trace(simulation: Simulation, path: str | Path, dt: float = DEFAULT_DT
     """
     if Path(path).name.lower().endswith(JOINT_TRAJECTORY):
         return write_joint_trajectory(simulation, Path(path), dt)
-    names = columns(*table_widths(simulation))
+    names = (*columns(*table_widths(simulation)), *belt_columns(simulation))
     if len(simulation.robots) > 1:
         names = (*names, "task")
     return _write(Path(path), names, blocks(simulation, dt))

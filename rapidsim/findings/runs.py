@@ -68,7 +68,7 @@ class ProgramStopped(Violation, code="R107"):
     instruction: str
 
 
-class ConveyorNotFollowed(Violation, code="R131"):
+class ConveyorNotConnected(Violation, code="R131"):
     conveyor: str
 
 

@@ -167,12 +167,17 @@ class Conveyor(Protocol):
         """Whether signals may stop the belt."""
         ...
 
-    def connect(self) -> None:
-        """Take the next object."""
+    @property
+    def shows_connection(self) -> bool:
+        """Whether a signal is 1 while an object is connected."""
         ...
 
-    def drop(self) -> None:
-        """Release the object."""
+    def connect(self, now_s: float) -> None:
+        """Take the next object at a time [s]."""
+        ...
+
+    def drop(self, now_s: float) -> None:
+        """Release the object at a time [s], which counts if a signal shows it."""
         ...
 
 

@@ -65,8 +65,8 @@ class NotDeclared(Stopped):
     """The run reaches a name that none of its files declares; a controller may well have it."""
 
 
-class NotSimulated(Stopped):
-    """The run reaches a routine that is not simulated, and any substitute would be wrong."""
+class NotConnected(Stopped):
+    """A move needs the place of an object on a conveyor, and none is connected."""
 
 
 class CycleEnded(Stopped):

@@ -1,7 +1,7 @@
 r"""Conveyors: waiting for the next object, and dropping it.
 
-The [[conveyor]] tables of the station define when objects arrive. The robot does not follow the
-conveyor: a run ends at a move in a work object that a conveyor of the station carries.
+The [[conveyor]] tables of the station define belts and when objects arrive on them. Moves in the
+work object of a connected object follow it (`controller/belt_tracking.py`).
 
 Source: Application manual Conveyor tracking, "WaitWObj", "DropWObj".
 """
@@ -52,7 +52,7 @@ def wait_wobj(
         arrives = partial(_has_arrived, controller, conveyor, rel_dist or 0.0)
         in_time = controller.signals.wait_until(arrives, max_time=max_time, poll_s=_POLL_S)
         if in_time:
-            conveyor.connect()
+            conveyor.connect(controller.clock.now())
         report_timeout(in_time, time_flag, f"WaitWObj {unit}", max_time)
         return
     wait_s = math.inf if comes_s is None else max(0.0, comes_s - now_s)
@@ -64,7 +64,7 @@ def wait_wobj(
     if comes_s is None:
         controller.signals.wait_until(lambda: False)
     controller.clock.wait(wait_s)
-    conveyor.connect()
+    conveyor.connect(controller.clock.now())
     report_timeout(True, time_flag, f"WaitWObj {unit}", max_time)
 
 
@@ -80,7 +80,7 @@ def drop_wobj(controller: Controller, wobj: Pers[WobjData]) -> None:
     if conveyor is None:
         controller.fidelity.not_simulated("DropWObj", _NO_CONVEYOR)
         return
-    conveyor.drop()
+    conveyor.drop(controller.clock.now() if conveyor.shows_connection else 0.0)
 
 
 CONVEYORS = table(

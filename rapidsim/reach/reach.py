@@ -13,6 +13,7 @@ from rapidsim.frames.transform import Array
 from rapidsim.motion.numba_jit import jit_reconsidered
 from rapidsim.motion.robot.robot import Robot
 from rapidsim.reach.arm_configurations import Beginning, EndSolutions, ends_of
+from rapidsim.reach.belt_reach import belt_findings
 from rapidsim.reach.checked_moves import Coverage, ReachReport, UncheckedMove
 from rapidsim.reach.cycle_time_findings import budget_findings, stop_findings
 from rapidsim.reach.dataflow.abstract_interpreter import ENTRY
@@ -99,6 +100,7 @@ def check_reach(
     found = [
         *orientation_findings(program, placed, options.external_axes),
         *unreachable_findings(program, placed, ends, robot, cures),
+        *belt_findings(program, walked.moves, robot, base_from_world, options.io.conveyors),
         *configuration_findings(program, placed, ends, ways.stances, robot),
         *finder.findings(ways),
         *margin_findings(program, placed, ends, ways.stances, robot),

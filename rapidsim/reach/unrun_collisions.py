@@ -28,7 +28,7 @@ from rapidsim.motion.path.building import build_path
 from rapidsim.motion.path.curve_following import PathFault
 from rapidsim.motion.path.path import Path
 from rapidsim.motion.robot.robot import Robot
-from rapidsim.motion.trajectory.trajectory import JointSamples
+from rapidsim.motion.trajectory.samples import JointSamples
 from rapidsim.reach.arm_configurations import EndConfigurations
 from rapidsim.reach.move_segments import segments_of
 from rapidsim.reach.target_poses import PosedMoves

@@ -23,7 +23,7 @@ import rerun.blueprint as rrb
 from rapidsim.files import InputError
 from rapidsim.frames.transform import Array, Transform
 from rapidsim.motion.robot.robot import Robot
-from rapidsim.motion.trajectory.trajectory import Samples
+from rapidsim.motion.trajectory.samples import Samples
 from rapidsim.output_files import whole_file
 from rapidsim.recording.layout.blueprint import laid_out
 from rapidsim.recording.scene.arm import Chain, log_arm, log_motion

@@ -7,7 +7,7 @@ from rapidsim.files import InputError
 from rapidsim.frames.transform import Array, Transform
 from rapidsim.motion.configurations.targets import world_from_base_at
 from rapidsim.motion.robot.robot import Robot
-from rapidsim.motion.trajectory.trajectory import Samples
+from rapidsim.motion.trajectory.samples import Samples
 from rapidsim.recording.timelines import Clock, clock_of
 from rapidsim.recording.transforms import BASE, FOOT
 from rapidsim.simulation.results.relative_motion import is_on_track

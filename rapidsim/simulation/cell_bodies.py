@@ -25,7 +25,7 @@ from rapidsim.collisions.scene import (
     SceneFrame,
 )
 from rapidsim.controller.cell.conditions import Condition, read_condition
-from rapidsim.controller.cell.conveyors import ConveyorScript
+from rapidsim.controller.cell.conveyor_scripts import ConveyorScript
 from rapidsim.frames.transform import Transform
 from rapidsim.language.data import WobjData
 from rapidsim.motion.configurations.targets import MM, transform

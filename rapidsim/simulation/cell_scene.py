@@ -9,7 +9,7 @@ from rapidsim.collisions.body_distance import Bodies
 from rapidsim.collisions.geometry import CellGeometry, CellObject
 from rapidsim.collisions.scene import Scene
 from rapidsim.collisions.shape import sphere
-from rapidsim.controller.cell.conveyors import ConveyorScript
+from rapidsim.controller.cell.conveyor_scripts import ConveyorScript
 from rapidsim.simulation.cell_bodies import CellBodies
 from rapidsim.simulation.part_courses import part_courses
 from rapidsim.simulation.part_supply import part_holders, part_sinks

@@ -8,7 +8,7 @@ from dataclasses import replace
 from rapidsim.collisions.along_motion import search
 from rapidsim.collisions.contact import CollisionReport, Contact
 from rapidsim.collisions.geometry import CellGeometry
-from rapidsim.controller.cell.conveyors import ConveyorScript
+from rapidsim.controller.cell.conveyor_scripts import ConveyorScript
 from rapidsim.controller.moves.executed_move import ExecutedMove
 from rapidsim.diagnostics import Diagnostic, Related
 from rapidsim.findings.collisions import Collision, LowClearance, NotJudged

@@ -16,6 +16,7 @@ from rapidsim.controller.moves.motion_findings import hasty_move_findings
 from rapidsim.diagnostics import Diagnostic
 from rapidsim.interpreter.linking.loader import Task
 from rapidsim.simulation.options import RunOptions
+from rapidsim.simulation.results.belt_findings import belt_findings
 from rapidsim.simulation.results.early_outputs import early_output_findings
 from rapidsim.simulation.results.gripper_protocol import with_gripper_findings
 from rapidsim.simulation.results.moved_work_objects import moved_object_findings
@@ -117,10 +118,11 @@ def _simulation(
             for run, outcome in zip(runs, outcomes, strict=True)
         ),
         events=events,
-        diagnostics=tuple(_findings(runs, outcomes, robots, events)),
+        diagnostics=tuple(_findings(runs, outcomes, robots, events, time_s)),
         unsimulated=_not_simulated(runs),
         home_files=tuple(WrittenFile(path, size) for path, size in cell.home.written()),
         lacked_files=cell.home.lacks,
+        belts=tuple(one.course for one in cell.conveyors.values()),
         # Now, not at the end of each task: others may have changed shared data since.
         persistents=deduplicated(
             one
@@ -146,6 +148,7 @@ def _findings(
     outcomes: Sequence[TaskOutcome],
     robots: Sequence[RobotRun],
     events: Sequence[Event],
+    time_s: float,
 ) -> Iterator[Diagnostic]:
     """The findings of each task, then those of the path and the outputs of each robot."""
     for run, outcome in zip(runs, outcomes, strict=True):
@@ -158,6 +161,10 @@ def _findings(
     for robot, run in zip(robots, movers, strict=True):
         limits, model = run.member.limits, run.member.model
         yield from corner_findings(robot.moves, robot.trajectory, limits, model)
+        yield from belt_findings(
+            *(robot.moves, robot.trajectory, limits, robot.robot, time_s),
+            by_axes=model.smoothing == "axes",
+        )
     for robot, run in zip(robots, movers, strict=True):
         yield from early_output_findings(events, robot, _traps(run.setup.program))
     yield from moved_object_findings(robots, [run.setup.robot_label for run in movers])

@@ -20,7 +20,7 @@ from rapidsim.controller.moves.queued_move import MotionError
 from rapidsim.diagnostics import Diagnostic, Related, Span
 from rapidsim.findings.runs import (
     BackwardNotExecuted,
-    ConveyorNotFollowed,
+    ConveyorNotConnected,
     CutOff,
     EndlessWait,
     NotDeclaredHere,
@@ -32,7 +32,7 @@ from rapidsim.findings.runs import (
 from rapidsim.interpreter.runtime.call_stack import CallFrame, FatalError, rapid_stack
 from rapidsim.language.error_answers import AnsweredError, ErrorOutcome
 from rapidsim.language.error_numbers import event_of, name_of, named
-from rapidsim.language.errors import NotAllowed, NotDeclared, NotSimulated, Stopped
+from rapidsim.language.errors import NotAllowed, NotConnected, NotDeclared, Stopped
 from rapidsim.language.moves import Place
 from rapidsim.syntax import tree
 
@@ -84,10 +84,10 @@ def not_declared_finding(stopped: NotDeclared, place: Place) -> Diagnostic:
     return Diagnostic(NotDeclaredHere(stopped.reason), span, callers, routine=routine)
 
 
-def not_followed_finding(stopped: NotSimulated, place: Place) -> Diagnostic:
+def not_connected_finding(stopped: NotConnected, place: Place) -> Diagnostic:
     """Return the instruction that would follow a conveyor, with the call chain."""
     routine, span, callers = _stack_place(rapid_stack(stopped), place)
-    return Diagnostic(ConveyorNotFollowed(stopped.reason), span, callers, routine=routine)
+    return Diagnostic(ConveyorNotConnected(stopped.reason), span, callers, routine=routine)
 
 
 def impossible_move_finding(stopped: MoveImpossible, place: Place) -> Diagnostic:

@@ -30,7 +30,7 @@ from rapidsim.files import InputError
 from rapidsim.frames.transform import Array, Transform
 from rapidsim.interpreter.linking.loader import Task, running
 from rapidsim.interpreter.runtime.call_stack import FatalError
-from rapidsim.language.errors import CycleEnded, NotAllowed, NotDeclared, NotSimulated, Stopped
+from rapidsim.language.errors import CycleEnded, NotAllowed, NotConnected, NotDeclared, Stopped
 from rapidsim.language.moves import Place
 from rapidsim.motion.geometry.segments import Waypoint
 from rapidsim.motion.robot.external_axes import ExternalAxis
@@ -45,8 +45,8 @@ from rapidsim.simulation.run_findings import (
     impossible_move_finding,
     motion_finding,
     not_allowed_finding,
+    not_connected_finding,
     not_declared_finding,
-    not_followed_finding,
     stopped_finding,
     time_limit_finding,
     trap_storm_finding,
@@ -161,7 +161,6 @@ def new_task_run(
         options.nearest_configuration,
         options.functions_fail,
         options.exact_configuration,
-        frozenset(cell.conveyors),
         guesses_frames=options.guesses_frames,
     )
     place = _entry_place(setup.program, setup.entry or options.entry)
@@ -279,8 +278,8 @@ def _abandoned(error: FatalError | Stopped, run: TaskRun) -> TaskOutcome:
             return TaskOutcome(End.ERROR, (impossible_move_finding(error, place),))
         case NotDeclared():
             return TaskOutcome(End.ERROR, (not_declared_finding(error, place),))
-        case NotSimulated():
-            return TaskOutcome(End.ERROR, (not_followed_finding(error, place),))
+        case NotConnected():
+            return TaskOutcome(End.ERROR, (not_connected_finding(error, place),))
         case NotAllowed():
             return TaskOutcome(End.ERROR, (not_allowed_finding(error, place),))
         case _:

@@ -11,7 +11,7 @@ from __future__ import annotations
 from pathlib import Path
 from typing import TYPE_CHECKING, cast
 
-from rapidsim.controller.cell.conveyors import ConveyorScript
+from rapidsim.controller.cell.conveyor_scripts import ConveyorScript
 from rapidsim.controller.cell.description import CellIo, DescribedFingers
 from rapidsim.station.cameras import read_cameras
 from rapidsim.station.check import read_check

@@ -37,7 +37,7 @@ from rapidsim.collisions.shape import Filling
 from rapidsim.collisions.travel import LONGEST, Travel
 from rapidsim.frames.euler import Convention, rotation_from_euler
 from rapidsim.frames.transform import Array, Transform
-from rapidsim.motion.trajectory.trajectory import JointSamples
+from rapidsim.motion.trajectory.samples import JointSamples
 
 ROBOT = load_robot("irb1600-6-1.2")
 CORNERS = np.array([[x, y, z] for x in (0, 1) for y in (0, 1) for z in (0, 1)], dtype=float) - 0.5
@@ -230,9 +230,9 @@ def test_only_a_piece_inside_another_is_left_out() -> None:
 def test_a_ball_of_many_triangles_is_as_far_off_as_a_ball() -> None:
     ball = shape.sphere(0.5)
     mesh = checked_triangles("ball", ball.vertices, ball.faces)
-    parts = shape.of_mesh(mesh, Filling.SURFACE).parts
-    assert len(parts) > 300
-    bodies = Bodies([parts, shape.sphere(0.1).parts])
+    surface = shape.of_mesh(mesh, Filling.SURFACE)
+    assert len(surface.triangles) > 300
+    bodies = Bodies([surface, shape.sphere(0.1)])
     out = np.random.default_rng(6).normal(size=(20, 3))
     out /= np.linalg.norm(out, axis=1)[:, None]
     row = np.zeros(20, dtype=np.int64)

@@ -25,7 +25,7 @@ from rapidsim.collisions.scene import (
     SceneFrame,
 )
 from rapidsim.frames.transform import Array, Transform
-from rapidsim.motion.trajectory.trajectory import JointSamples
+from rapidsim.motion.trajectory.samples import JointSamples
 
 ROBOT = load_robot("irb1600-6-1.2")
 FLANGE = SceneFrame(0, len(ROBOT.joints) + 1)

@@ -23,7 +23,8 @@ from rapidsim.frames.transform import Array, Transform
 from rapidsim.language.moves import Place
 from rapidsim.motion.model import MotionModel
 from rapidsim.motion.robot.robot import Robot, load_robot
-from rapidsim.motion.trajectory.trajectory import Samples, Trajectory
+from rapidsim.motion.trajectory.samples import Samples
+from rapidsim.motion.trajectory.trajectory import Trajectory
 from rapidsim.simulation.results.simulation import End, RobotRun, Simulation, TaskEnd
 from rapidsim.station.task_kind import TaskKind
 

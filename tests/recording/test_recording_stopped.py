@@ -14,7 +14,8 @@ from rapidsim.diagnostics import Diagnostic
 from rapidsim.files import InputError
 from rapidsim.findings.runs import UncaughtError
 from rapidsim.frames.transform import Array
-from rapidsim.motion.trajectory.trajectory import Samples, Trajectory
+from rapidsim.motion.trajectory.samples import Samples
+from rapidsim.motion.trajectory.trajectory import Trajectory
 from rapidsim.recording.layout.write import record
 from rapidsim.simulation.results.simulation import End, Simulation
 

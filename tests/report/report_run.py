@@ -24,7 +24,8 @@ from rapidsim.language.moves import Interpolation, Move, Place
 from rapidsim.motion.model import MotionModel
 from rapidsim.motion.robot.robot import load_robot
 from rapidsim.motion.trajectory.command import MotionCommand
-from rapidsim.motion.trajectory.trajectory import Samples, Trajectory
+from rapidsim.motion.trajectory.samples import Samples
+from rapidsim.motion.trajectory.trajectory import Trajectory
 from rapidsim.simulation.results.simulation import (
     End,
     RobotRun,

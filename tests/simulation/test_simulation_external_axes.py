@@ -19,7 +19,7 @@ from rapidsim.frames.transform import Array, Transform
 from rapidsim.motion.configurations.targets import world_from_base_at
 from rapidsim.motion.model import MODELS
 from rapidsim.motion.robot.external_axes import ExternalAxis
-from rapidsim.motion.trajectory.trajectory import Samples
+from rapidsim.motion.trajectory.samples import Samples
 from rapidsim.report.run.figures import figures
 from rapidsim.report.run.json_report import RunFiles, run_json
 from rapidsim.station.read import read_station

@@ -15,7 +15,7 @@ from rapidsim.controller.queue.mechanical_unit import MechanicalUnit
 from rapidsim.frames.transform import Array
 from rapidsim.jobs.checking.check_files import check
 from rapidsim.jobs.running.run_files import simulate
-from rapidsim.motion.trajectory.trajectory import Samples
+from rapidsim.motion.trajectory.samples import Samples
 from rapidsim.simulation.results.simulation import End, Simulation
 
 STATION = """

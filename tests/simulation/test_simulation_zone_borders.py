@@ -8,7 +8,7 @@ import pytest
 from rapidsim.controller.queue.zone_table import WatchedZone, WorldZoneTable
 from rapidsim.frames.transform import Array
 from rapidsim.jobs.running.run_files import simulate
-from rapidsim.motion.trajectory.trajectory import Samples
+from rapidsim.motion.trajectory.samples import Samples
 from rapidsim.simulation.options import RunOptions
 
 PROGRAM = """MODULE border

@@ -232,7 +232,9 @@ class Cell:
         """Whether clients may act at any time, so that programs must keep pace with robots."""
         self.logbook: Callable[[str, LoggedError, float], None] | None = None
         """Called with each entry of the event log, its task and its time [s]."""
-        self.listeners: list[SignalListener] = [one for one in self.conveyors.values() if one.stops]
+        self.listeners: list[SignalListener] = [
+            one for one in self.conveyors.values() if one.is_wired
+        ]
         self.error_listeners: list[EventLogListener] = []
         self.event_count = 0
         """Number of events to which another task may have to react."""
@@ -434,7 +436,11 @@ class Cell:
         for due in self._stimuli.begin(self.signals.read):
             self._apply_stimulus(due)
         for conveyor in self.conveyors.values():
-            conveyor.begin(self._pulse)
+            conveyor.begin(self._pulse, self._show)
+
+    def _show(self, name: str, value: float, time_s: float) -> None:
+        """Set a signal of the cell at a time [s]."""
+        self.set_signal(self._outside_cause, Moment(Instant(time_s)), name, value)
 
     def _pulse(self, name: str, time_s: float, is_due: Callable[[float], bool]) -> None:
         """Let a signal be 1 for a moment, at a time [s], if that is due then."""

@@ -9,47 +9,22 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 from dataclasses import field
-from typing import Annotated, TypeAlias
+from typing import TypeAlias
 
-from rapidsim.controller.cell.conditions import Condition
-from rapidsim.json_records.declarations import AboveZero, Key, NotNegative
+from rapidsim.controller.cell.conveyor_scripts import ConveyorScript
+from rapidsim.motion.geometry.belts import BeltCourse
 from rapidsim.values import value_class
 
 MM_BEHIND = 1e-6
+_MM = 1e-3
 SWITCH_S = 0.1
 """Length [s] of the pulse of a switch."""
 
 
-@value_class(frozen=True, slots=True)
-class ConveyorScript:
-    """A belt and the arrival of objects on it: a table [[conveyor]] of the station file."""
-
-    unit: str
-    """Name of its mechanical unit."""
-    speed_mm_s: Annotated[AboveZero, Key("speed")]
-    """Its speed while it runs."""
-    first_s: Annotated[NotNegative, Key("at")] = 0.0
-    """Time [s] at which the first object passes the synchronisation switch, if the belt runs."""
-    every_s: Annotated[AboveZero | None, Key("every")] = None
-    """Time from one object to the next while the belt runs; None if there is only one."""
-    length_mm: Annotated[AboveZero, Key("length")] = math.inf
-    """An object that travels this far from the switch without being taken is lost."""
-    runs: Condition | None = None
-    """While it holds, the belt runs; no key if it always does."""
-    switch: str | None = None
-    """The input that is 1 for 0.1 s each time that an object passes the switch."""
-    arrival: Annotated[str | None, Key("object")] = None
-    """The [[object]] of which a copy arrives each time, at the pose of the object."""
-    surface: str | None = None
-    """The [[object]] on which parts that are put down travel with the belt."""
-    position: tuple[float, float, float] = (0.0, 0.0, 0.0)
-    """Position of the switch in the world [mm]."""
-    quaternion: tuple[float, float, float, float] = (1.0, 0.0, 0.0, 0.0)
-    """Orientation of the switch; the belt travels along its x axis."""
-
-
 Schedule: TypeAlias = Callable[[str, float, Callable[[float], bool]], None]
 """Lets a signal be 1 for a moment, at a time [s], if a function of that time is true then."""
+Show: TypeAlias = Callable[[str, float, float], None]
+"""Sets a signal to a value at a time [s]."""
 
 
 @value_class(slots=True, eq=False)
@@ -59,7 +34,10 @@ class ConveyorState:
     script: ConveyorScript
     read: Callable[[str], float]
     """Returns the value of a signal."""
-    is_connected: bool = False
+    course: BeltCourse = field(init=False)
+    """Its travel, as robots follow it."""
+    _connected: int | None = None
+    """Number of the object that a work object follows; None if there is none."""
     _next: int = 0
     """Index of the object that is taken next."""
     _since_s: float = 0.0
@@ -70,16 +48,53 @@ class ConveyorState:
     _changes: int = 0
     """Number of times that the belt has started or stopped."""
     _schedule: Schedule | None = None
+    _show: Show | None = None
+    _conditions: tuple[bool, bool] = (False, False)
+    """Conditions of `_holding` after the last change of a signal."""
     _runs: bool = field(init=False)
 
     def __post_init__(self) -> None:
         """Look whether it runs at the start."""
-        self._runs = self._is_running()
+        self._runs, self._conditions = self._is_running(), self._holding()
+        self.course = BeltCourse(self.script.unit, self._speed_m_s if self._runs else 0.0)
+
+    @property
+    def is_connected(self) -> bool:
+        """Whether a work object is connected to one of its objects."""
+        return self._connected is not None
+
+    @property
+    def passed_m(self) -> float | None:
+        """Travel [m] of the belt at which the connected object passed the switch, None if none."""
+        if self._connected is None:
+            return None
+        passed_s = self._arrives_s(self._connected)
+        assert passed_s is not None
+        return passed_s * self._speed_m_s
+
+    def leaves_s(self) -> float:
+        """Time [s] from which on no robot may follow the connected object, if nothing changes."""
+        assert self.passed_m is not None
+        return self.course.time_at(self.passed_m + self.script.most_mm * _MM)
+
+    @property
+    def _speed_m_s(self) -> float:
+        return self.script.speed_mm_s * _MM
 
     @property
     def stops(self) -> bool:
         """Whether signals may stop the belt."""
         return self.script.runs is not None
+
+    @property
+    def is_wired(self) -> bool:
+        """Whether signals act on the belt or its objects."""
+        return bool(self.script.conditions)
+
+    @property
+    def shows_connection(self) -> bool:
+        """Whether a signal is 1 while an object is connected."""
+        return self.script.connected is not None
 
     def next_s(self, now_s: float, distance_mm: float) -> float | None:
         """Time [s] at which the next object has travelled a distance if the belt goes on as now.
@@ -97,20 +112,32 @@ class ConveyorState:
         return now_s + wait_s if wait_s <= 0.0 or self._runs else math.inf
 
     def listens_to(self, signal: str) -> bool:
-        """Whether a signal may start or stop the belt."""
-        runs = self.script.runs
-        return runs is not None and signal.lower() in [one.lower() for one in runs.signals()]
+        """Whether a signal acts on the belt or its objects."""
+        folded = signal.lower()
+        names = (name for condition in self.script.conditions for name in condition.signals())
+        return any(name.lower() == folded for name in names)
 
     def signal_changed(self, signal: str, old: float, value: float, now_s: float) -> None:
-        """Start or stop the belt."""
+        """Start or stop the belt, drop the connected object, or remove those that wait."""
+        before, self._conditions = self._conditions, self._holding()
+        if self._conditions[0] and not before[0]:
+            self.drop(now_s)
+        if self._conditions[1] and not before[1]:
+            while (passed_s := self._passes_s()) is not None and passed_s <= self._belt_s(now_s):
+                self._next += 1
+        if self._is_running() != self._runs:
+            self._start_or_stop(now_s)
+
+    def _start_or_stop(self, now_s: float) -> None:
         self._travelled_s = self._belt_s(now_s)
         self._since_s, self._runs = now_s, self._is_running()
+        self.course.change(now_s, self._speed_m_s if self._runs else 0.0)
         self._changes += 1
         self._watch_switch(now_s)
 
-    def begin(self, schedule: Schedule) -> None:
-        """Operate the switch from time zero on."""
-        self._schedule = schedule
+    def begin(self, schedule: Schedule, show: Show) -> None:
+        """Operate the switch from time zero on, and the signal of the connection."""
+        self._schedule, self._show = schedule, show
         self._watch_switch(0.0)
 
     def _watch_switch(self, now_s: float) -> None:
@@ -136,13 +163,27 @@ class ConveyorState:
     def _is_running(self) -> bool:
         return self.script.runs is None or self.script.runs.holds(self.read)
 
-    def connect(self) -> None:
-        """Take the next object."""
-        self.is_connected, self._next = True, self._next + 1
+    def connect(self, now_s: float) -> None:
+        """Take the next object at a time [s]."""
+        self._connected, self._next = self._next, self._next + 1
+        self._show_connection(now_s)
 
-    def drop(self) -> None:
-        """Release the object."""
-        self.is_connected = False
+    def drop(self, now_s: float) -> None:
+        """Release the object at a time [s], which counts if a signal shows it."""
+        self._connected = None
+        self._show_connection(now_s)
+
+    def _show_connection(self, now_s: float) -> None:
+        if self.script.connected is not None and self._show is not None:
+            self._show(self.script.connected, float(self.is_connected), now_s)
+
+    def _holding(self) -> tuple[bool, bool]:
+        """Whether the conditions hold that drop the object and that remove those that wait."""
+        drops, clears = self.script.drops, self.script.clears
+        return (
+            drops is not None and drops.holds(self.read),
+            clears is not None and clears.holds(self.read),
+        )
 
     def _passes_s(self) -> float | None:
         """Time [s] of the belt at which the next object passes the switch; None for none."""

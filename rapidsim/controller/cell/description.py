@@ -13,7 +13,7 @@ from typing import Annotated, Literal
 
 from rapidsim.controller.cell.camera_scripts import CameraScript
 from rapidsim.controller.cell.conditions import Condition
-from rapidsim.controller.cell.conveyors import ConveyorScript
+from rapidsim.controller.cell.conveyor_scripts import ConveyorScript
 from rapidsim.controller.cell.faults import Fault
 from rapidsim.controller.cell.occasions import Occasion
 from rapidsim.controller.cell.part_poses import PartPose
@@ -260,7 +260,7 @@ class CellIo:
     def written(self) -> tuple[str, ...]:
         """Names of the signals that follow others or are driven, each once."""
         driven = [name for stimulus in self.stimuli for name in stimulus.values]
-        driven += [one.switch for one in self.conveyors if one.switch]
+        driven += [name for one in self.conveyors for name in (one.switch, one.connected) if name]
         return tuple(dict.fromkeys((*(cross.result for cross in self.crosses), *driven)))
 
     @property
@@ -269,7 +269,7 @@ class CellIo:
         looked_at = [cross.condition for cross in self.crosses]
         occasions: tuple[Occasion, ...] = (*self.stimuli, *self.faults)
         looked_at += [occasion.when for occasion in occasions if occasion.when]
-        looked_at += [one.runs for one in self.conveyors if one.runs]
+        looked_at += [condition for one in self.conveyors for condition in one.conditions]
         for gripper in self.grippers:
             looked_at += [one for one in (gripper.close, gripper.closed) if one is not None]
         return tuple(dict.fromkeys(name for one in looked_at for name in one.signals()))

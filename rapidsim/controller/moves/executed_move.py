@@ -47,6 +47,8 @@ class ExecutedMove:
     """Shape (e,) [m or rad]: the external axes at the end."""
     grip_load_kg: float = 0.0
     """Mass that the gripper holds, by GripLoad."""
+    conveyor: str | None = None
+    """Unit of the conveyor whose object the arm follows at the end."""
 
     def __repr__(self) -> str:
         """One line."""

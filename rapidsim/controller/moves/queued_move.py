@@ -105,6 +105,7 @@ def executed_move(
         corner_reason=_TOO_LATE if failed else queued.corner_reason,
         external=queued.external,
         grip_load_kg=queued.grip_load_kg,
+        conveyor=next((one.course.name for one in queued.segment.rides if one.end == 1.0), None),
     )
 
 

@@ -14,6 +14,7 @@ from rapidsim.controller.moves.configuration_choice import rounded, stored_or_ne
 from rapidsim.controller.moves.executed_move import CornerKind
 from rapidsim.controller.moves.expected_lines import ExpectedLines
 from rapidsim.controller.moves.first_start import start_above
+from rapidsim.controller.moves.followed_belt import FollowedBelt
 from rapidsim.controller.moves.move_data import (
     asked_circle_mode,
     can_turn_wrist_in_joints,
@@ -50,7 +51,7 @@ from rapidsim.language.data import (
     WobjData,
 )
 from rapidsim.language.error_numbers import ERR_OUTSIDE_REACH
-from rapidsim.language.errors import NotSimulated, Stopped
+from rapidsim.language.errors import Stopped
 from rapidsim.language.moves import CirclePathMode, Interpolation, MotionSettings, Move, Place
 from rapidsim.motion.configurations import targets
 from rapidsim.motion.configurations.confdata import has_branches
@@ -80,10 +81,8 @@ class Resolver:
     """Whether functions that compute with a target fail even then."""
     exact_configuration: bool = False
     """Whether a stored configuration is not met where an axis is one quarter turn off."""
-    conveyors: frozenset[str] = frozenset()
-    """Folded names of the mechanical units that are conveyors in the cell."""
     holders: Holders = field(default_factory=Holders)
-    """The other robots, which may hold work objects."""
+    """The other robots and the conveyors, which may hold work objects."""
     guesses_frames: bool = True
     """See `RunOptions`."""
     _placements: dict[tuple[ToolData, WobjData], targets.Placement | targets.NotSimulatedFrame] = (
@@ -103,6 +102,7 @@ class Resolver:
         is_first: bool = False,
         starts_free: bool = False,
         lead: targets.CarrierMotion | None = None,
+        belt: FollowedBelt | None = None,
     ) -> QueuedMove:
         """Resolve a move to a queued move with its segment.
 
@@ -114,15 +114,18 @@ class Resolver:
             is_first: Whether it is the first move of the run.
             starts_free: Whether the position of the arm before it is unknown.
             lead: Motion of the robot of the team that carries the work object; None if none does.
+            belt: The belts that the move follows; None if it follows none.
 
         Raises:
             MoveImpossible: When the arm cannot make it. As on a controller, no ERROR clause is
                 called then.
         """
         try:
-            if starts_free:
+            if starts_free or belt is not None:
                 return self._resolved(
-                    move, place, start, settings, lead, is_first=is_first, starts_free=True
+                    *(move, place, start, settings, lead, belt),
+                    is_first=is_first,
+                    starts_free=starts_free,
                 )
             return self._resolve(move, place, start, settings, lead, is_first=is_first)
         except NotReachableError as error:
@@ -175,12 +178,13 @@ class Resolver:
         start: Waypoint,
         settings: MotionSettings,
         lead: targets.CarrierMotion | None = None,
+        belt: FollowedBelt | None = None,
         *,
         is_first: bool = False,
         starts_free: bool = False,
     ) -> QueuedMove:
         to = move.to
-        request = MoveRequest(move, settings, self._placement_of(move, place, lead))
+        request = MoveRequest(move, settings, self._placement_of(move, place, lead, belt))
         asked, placed = LocatedMoveRequest(request, place, is_first, starts_free), request.placed
         external = external_end(asked, to.extax, start.external, self.robot, self.journal)
         end, is_short = self._end(asked, start, external)
@@ -192,6 +196,8 @@ class Resolver:
             self.robot,
             payload_acceleration=self.payload_acceleration,
         )
+        if belt is not None:
+            segment = belt.put_on(segment)
         if isinstance(to, RobTarget):
             segment, arrival = self._arrivals.of(asked, to.robconf, segment, is_short=is_short)
         else:
@@ -265,10 +271,16 @@ class Resolver:
         return targets.ext_joint(external, self.robot.external)
 
     def target(
-        self, joints: Array, external: Array, tool: ToolData, wobj: WobjData, place: Place
+        self,
+        joints: Array,
+        external: Array,
+        tool: ToolData,
+        wobj: WobjData,
+        place: Place,
+        time_s: float | None = None,
     ) -> RobTarget:
-        """Robtarget of joints (n,) [rad] and external axes (e,) [m or rad]."""
-        placed = self._placement(tool, wobj, place, self._holder(wobj))
+        """Robtarget of joints (n,) [rad] and external axes (e,) [m or rad], at a time [s]."""
+        placed = self._placement(tool, wobj, place, self._holder(wobj, time_s))
         if isinstance(placed, targets.NotSimulatedFrame):
             placed = self._unmoved()
         curve_from_tcp = placed.standing_at(self.robot.kinematics, joints, external)
@@ -354,9 +366,15 @@ class Resolver:
         return end_of_short_line(self.robot, start.joints, pose, placed.tcp_from_flange, branch)
 
     def _placement_of(
-        self, move: Move, place: Place, lead: targets.CarrierMotion | None
+        self,
+        move: Move,
+        place: Place,
+        lead: targets.CarrierMotion | None,
+        belt: FollowedBelt | None = None,
     ) -> targets.Placement:
         """Placement of the tool and the work object of a move."""
+        if belt is not None and belt.motion is not None:
+            return self._placement_on(belt.motion, move.tool, move.wobj)
         if move.interpolation is Interpolation.EXTERNAL_AXES:
             # The arm does not take part: its TCP keeps its pose on the robot.
             tcp_from_flange = targets.tcp_from_flange(move.tool)
@@ -373,12 +391,23 @@ class Resolver:
         violation = NothingMovesTool(target_name(place, move), placed.reason)
         raise NotReachableError(ERR_OUTSIDE_REACH, violation)
 
+    def _placement_on(
+        self, belt: targets.BeltMotion, tool: ToolData, wobj: WobjData
+    ) -> targets.Placement:
+        """Placement of a tool on the robot and a work object on a belt."""
+        for name, rotation in frame_orientations(tool, wobj._replace(uframe=IDENTITY_POSE), ()):
+            require_orientation(name, rotation)
+        axes = self.robot.external
+        placed = targets.placement(tool, wobj, self.base_from_world, axes, belt=belt)
+        assert isinstance(placed, targets.Placement)
+        return placed
+
     def _unmoved(self) -> targets.Placement:
         """Placement without motion of the tool against the work object: a flange without a tool."""
         return targets.Placement(self.base_from_world, Transform.identity())
 
     def may_have_carrier(self, wobj: WobjData) -> bool:
-        """Whether another robot may hold a work object."""
+        """Whether another robot or a conveyor may hold a work object."""
         if wobj.ufprog or wobj.robhold:
             return False
         return not targets.unit_of(wobj, self.robot.external)
@@ -388,12 +417,12 @@ class Resolver:
         return lead is None and self.may_have_carrier(wobj) and not self.has_carrier(wobj)
 
     def has_carrier(self, wobj: WobjData) -> bool:
-        """Whether another robot holds a work object."""
+        """Whether another robot or a conveyor holds a work object."""
         return self._holder(wobj) is not None
 
-    def _holder(self, wobj: WobjData) -> Holder | None:
-        """The robot that holds a work object, at its current position; None if none holds it."""
-        return self.holders.find(wobj.ufmec) if self.may_have_carrier(wobj) else None
+    def _holder(self, wobj: WobjData, time_s: float | None = None) -> Holder | None:
+        """The robot or conveyor that holds a work object, at a time [s]; None if none holds it."""
+        return self.holders.find(wobj, time_s) if self.may_have_carrier(wobj) else None
 
     def _placement(
         self,
@@ -408,14 +437,11 @@ class Resolver:
         Raises:
             NotReachableError: When one of their frames has no orientation.
             Stopped: When the frame of the work object is unknown, and guesses are not allowed.
-            NotSimulated: When a conveyor of the cell carries the work object.
         """
-        if not wobj.ufprog and wobj.ufmec.lower() in self.conveyors:
-            raise NotSimulated(wobj.ufmec)
         if holder is not None or lead is not None:
             for name, rotation in frame_orientations(tool, wobj._replace(uframe=IDENTITY_POSE), ()):
                 require_orientation(name, rotation)
-            world_from_user = None if holder is None else holder.world_from_flange
+            world_from_user = None if holder is None else holder.world_from_user
             axes = self.robot.external
             return targets.placement(
                 tool, wobj, self.base_from_world, axes, world_from_user=world_from_user, lead=lead

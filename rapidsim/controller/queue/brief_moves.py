@@ -31,13 +31,19 @@ def shares_a_wait(
 ) -> bool:
     """Whether a move of robots at rest is brief; raises `MotionError` if it cannot be made."""
     model = members[0].model
-    if any(one.segment.zone or one.segment.duration for one in parts) or not _waits(model):
+    if any(map(_is_long, parts)) or not _waits(model):
         return False
     longest_s = min(model.dwell, _LONGEST_S)
     if max(nominal_s(one.segment) for one in parts) >= longest_s:
         return False
     _, timing = planner.plan([[one] for one in parts])
     return 0.0 < timing.duration < longest_s
+
+
+def _is_long(queued: QueuedMove) -> bool:
+    """Whether a move has no stop point, a time of its own, or follows a belt."""
+    segment = queued.segment
+    return bool(segment.zone or segment.duration or segment.rides)
 
 
 def with_less_torque(queued: QueuedMove) -> None:

@@ -18,7 +18,8 @@ from rapidsim.frames.transform import Array
 from rapidsim.language.error_numbers import ERR_PATH, rapid_error
 from rapidsim.motion.geometry.segments import Waypoint
 from rapidsim.motion.interruption import Look, undisturbed
-from rapidsim.motion.trajectory.trajectory import Samples, Trajectory
+from rapidsim.motion.trajectory.samples import Samples
+from rapidsim.motion.trajectory.trajectory import Trajectory
 from rapidsim.values import value_class
 
 

@@ -18,7 +18,8 @@ from rapidsim.motion.model import MotionModel
 from rapidsim.motion.robot.robot import Robot
 from rapidsim.motion.timing.axis_limits import Limits, limits_of, model_of
 from rapidsim.motion.trajectory.guided_section import GuidedSection
-from rapidsim.motion.trajectory.trajectory import Samples, Trajectory
+from rapidsim.motion.trajectory.samples import Samples
+from rapidsim.motion.trajectory.trajectory import Trajectory
 from rapidsim.values import value_class
 
 REGAINED_M = 0.010
@@ -89,8 +90,13 @@ class Member:
 
     @property
     def is_guided(self) -> bool:
-        """Whether a sensor guides the robot or corrects its path."""
-        return self.guided is not None or self.corrected is not None
+        """Whether a sensor guides the robot or corrects its path, or a belt takes it along."""
+        return self.guided is not None or self.corrected is not None or self.rides
+
+    @property
+    def rides(self) -> bool:
+        """Whether a belt takes the robot along at the end of its fixed motion."""
+        return bool(self.trajectory.riding()[0])
 
     def guide(self, guided: GuidedMotion) -> None:
         """Let a guidance, not the path, move a robot at rest."""
@@ -106,6 +112,13 @@ class Member:
         samples = self.at_past(self.trajectory.duration)
         joints: Array = samples.joints[0]
         return Waypoint(joints, self.robot.forward(joints), samples.external[0])
+
+    def end_of_command(self) -> Waypoint:
+        """Waypoint at the end of the path, from which a belt may have taken the arm along."""
+        last = self.trajectory.pieces[-1]
+        wide = last.path.joints_at(np.array([last.to_s]))[0]
+        joints, rest = np.split(wide, [len(self.robot.joints)])
+        return Waypoint(joints, self.robot.forward(joints), rest[: len(self.robot.external)])
 
     def settle_correction(self) -> None:
         """End a path correction of a robot at rest; its path continues where it is."""

@@ -30,9 +30,11 @@ from rapidsim.controller.queue.brief_moves import (
 from rapidsim.controller.queue.member import Member
 from rapidsim.controller.queue.path_planner import PathPlanner, PlanStart
 from rapidsim.controller.queue.synchronised_tasks import SynchronisedTasks
+from rapidsim.frames.transform import Transform
 from rapidsim.motion.geometry.blends import Corner
 from rapidsim.motion.geometry.segments import Segment, Waypoint
 from rapidsim.motion.interruption import Look, undisturbed
+from rapidsim.motion.path.path import Path
 from rapidsim.motion.trajectory.command import Piece
 from rapidsim.motion.trajectory.trajectory import Trajectory
 
@@ -328,7 +330,7 @@ class MotionQueue:
         lost = None if lost_corner is None else lost_corner - first
         rows = [row[first:] for row in self.block.rows]
         begun = commit.move - first
-        start = PlanStart(begun, commit.distance_m, commit.speed_m_s, commit.spent_s)
+        start = PlanStart(begun, commit.distance_m, commit.speed_m_s, commit.spent_s, commit.time_s)
         path, timing = self.planner.plan(rows, start, lost)
         from_m = float(path.segment_starts[begun]) + commit.distance_m
         return BlockPlan(path, timing, first, from_m, commit.time_s, lost_corner)
@@ -426,6 +428,8 @@ class MotionQueue:
         bounds = path.segment_bounds[: moves_started - first + 1]
         times = (tentative.start_s + tentative.timing.time_at(bounds)).tolist()
         places = bounds.tolist()
+        if path.belts is not None:
+            self._keep_on_belt(path, first, moves_started + 1)
         offsets = self.drive(tentative, to_m)
         for row, part, offset_m in zip(self.block.rows, path.parts, offsets, strict=True):
             lengths, corners = part.lengths.tolist(), part.corners
@@ -442,6 +446,24 @@ class MotionQueue:
                     queued.end_place_m = offset_m + places[k + 1]
                 self._note_corner(queued, corners[k], path.corners[k], is_last=queued is row[-1])
         return tentative.time_at(to_m)
+
+    def _keep_on_belt(self, path: Path, first: int, until: int) -> None:
+        """Let moves of a robot on a belt be those of a plan, which the robot has begun."""
+        member, row = self.members[0], self.block.rows[0]
+        for queued, segment in zip(row[first:until], path.segments, strict=False):
+            before = queued.segment
+            # With the speeds of the program: each plan finds anew which the belt allows.
+            queued.segment = replace(
+                segment,
+                speed=before.speed,
+                duration=before.duration,
+                acceleration_share=before.acceleration_share,
+            )
+            here, there = map(member.robot.forward, (before.end.joints, segment.end.joints))
+            pose, moved = queued.base_from_tcp, there.translation - here.translation
+            queued.base_from_tcp = Transform(pose.rotation, pose.translation + moved)
+            if queued is row[-1]:
+                member.end = segment.end
 
     def _note_corner(
         self, queued: QueuedMove, own: Corner, common: Corner, *, is_last: bool

@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from rapidsim.controller.moves.queued_move import MotionError, QueuedMove
+from rapidsim.controller.queue.belt_planning import BlockStart, follows_belt, plan_on_belt
 from rapidsim.controller.queue.member import Member
 from rapidsim.controller.queue.plan_cache import PlanCache
 from rapidsim.motion.geometry.segments import Segment
@@ -31,6 +32,18 @@ class PlanStart:
     """Path speed [m/s]."""
     spent_s: float | None
     """Time [s] that the move has taken so far; None if it was stopped."""
+    time_s: float = 0.0
+    """Command time [s], which counts on a belt alone."""
+
+    @property
+    def fixed(self) -> int:
+        """Number of moves that the robots have begun."""
+        return self.move + (self.distance_m > 0.0 or self.speed_m_s > 0.0)
+
+    @property
+    def is_beginning(self) -> bool:
+        """Whether the robots rest at the start of a block."""
+        return self.fixed == 0 and self.spent_s == 0.0
 
 
 _AT_REST = PlanStart(0, 0.0, 0.0, 0.0)
@@ -50,7 +63,7 @@ class PathPlanner:
         self.limits: Limits = combined_limits([one.limits for one in members])
         """Axis speeds and accelerations of all robots, side by side."""
         self.check_deadline = check_deadline
-        self._model = lead.model
+        self._model, self._lead = lead.model, lead
         self._robots = [one.robot for one in members]
         self._repeats = lead.repeats if len(members) == 1 else PlanCache()
 
@@ -75,22 +88,49 @@ class PathPlanner:
             for own in segments:
                 own[lost_corner] = replace(own[lost_corner], zone=None)
 
+        if follows_belt(segments[0]):
+            return self._plan_on_belt(rows, segments[0], start)
+
         def make_plan() -> tuple[Path, TimeScaling]:
-            path = self._path(rows, segments)
-            timing = plan(
-                path,
-                self.limits,
-                start=float(path.segment_starts[start.move]) + start.distance_m,
-                start_speed=start.speed_m_s,
-                spent_s=start.spent_s,
-                check_deadline=self.check_deadline,
-            )
-            return path, timing
+            return self._timed(self._path(rows, segments), start)
 
         if lost_corner is not None:
             return make_plan()
         of_start = (start.move, start.distance_m, start.speed_m_s, start.spent_s)
         return self._repeats.plan(segments, of_start, make_plan)
+
+    def _timed(self, path: Path, start: PlanStart) -> tuple[Path, TimeScaling]:
+        timing = plan(
+            path,
+            self.limits,
+            start=float(path.segment_starts[start.move]) + start.distance_m,
+            start_speed=start.speed_m_s,
+            spent_s=start.spent_s,
+            check_deadline=self.check_deadline,
+        )
+        return path, timing
+
+    def _plan_on_belt(
+        self, rows: Sequence[Sequence[QueuedMove]], segments: Sequence[Segment], start: PlanStart
+    ) -> tuple[Path, TimeScaling]:
+        """Plan moves of a robot alone, of which some follow a belt."""
+
+        def make_plan(moved: Sequence[Segment]) -> tuple[Path, TimeScaling] | PathFault:
+            path = build_shared_path(self._robots, [moved], self._model, self.check_deadline)
+            return path if isinstance(path, PathFault) else self._timed(path, start)
+
+        first = BlockStart(
+            start.time_s,
+            rows[0][0].number,
+            start.fixed,
+            start.is_beginning,
+            start.move,
+            start.distance_m,
+        )
+        planned = plan_on_belt(self._lead, segments, first, make_plan)
+        if isinstance(planned, PathFault):
+            raise MotionError(rows[0][planned.segment], planned)
+        return planned
 
     def _path(
         self, rows: Sequence[Sequence[QueuedMove]], segments: Sequence[Sequence[Segment]]

@@ -212,7 +212,7 @@ def clear(queue: MotionQueue) -> None:
                 queued.end_place_m = min(queued.end_place_m, member.trajectory.length)
     for member in queue.members:
         member.settle_correction()
-        member.end = member.standing()
+        member.end = member.end_of_command() if member.rides else member.standing()
 
 
 def leave(queue: MotionQueue) -> None:

@@ -15,11 +15,14 @@ import numpy as np
 from rapidsim.controller.queue.mechanical_unit import MechanicalUnit
 from rapidsim.frames.transform import Array, Transform
 from rapidsim.language.path_events import AxisRange, Cuboid, Cylinder, Sphere, ZoneShape
-from rapidsim.motion.trajectory.trajectory import Samples, Trajectory
+from rapidsim.motion.trajectory.samples import Samples
+from rapidsim.motion.trajectory.trajectory import Trajectory
 
 LOOK_M = 0.001
 _LOOK_S = 0.02
 """Spacing [s] of the first samples; within it samples are evenly spaced."""
+_ON_BELT_S = 0.002
+"""Spacing [s] of the samples of an arm that follows a belt."""
 _COARSE = 2000
 """Maximum number of intervals of a long motion that are first tested for motion of the arm."""
 _LOOKS = 1000
@@ -170,6 +173,9 @@ def _sample_times(preview: Trajectory, start_s: float, end_s: float) -> Array:
         return np.zeros(0)
     cells = min(int((end_s - start_s) / _LOOK_S) + 1, _COARSE)
     times = np.linspace(start_s, end_s, cells + 1)
+    if preview.follows_belts:
+        # The arm moves where its path does not.
+        return _divided(times, np.ceil(np.diff(times) / _ON_BELT_S))
     # Of robots that move together, the position is no length.
     fastest = preview.fastest_rate(start_s)
     # If the arm hardly moves for long, no samples between are needed.

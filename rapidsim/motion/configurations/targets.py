@@ -24,7 +24,7 @@ from functools import cached_property
 import numpy as np
 
 from rapidsim.frames import rigid
-from rapidsim.frames.moving_frames import ExternalCourse, carried, standing
+from rapidsim.frames.moving_frames import ExternalCourse, Screw, carried, standing
 from rapidsim.frames.quaternion import norm
 from rapidsim.frames.transform import Array, Transform
 from rapidsim.language.data import (
@@ -78,6 +78,19 @@ class CarrierMotion:
     end: Array
 
 
+@value_class(frozen=True, slots=True, eq=False)
+class BeltMotion:
+    """A belt that carries a work object, by the position of an axis that stands for it."""
+
+    world_from_user: Transform
+    """User frame of the work object with that axis at zero."""
+    direction: Array
+    """Shape (3,): direction of the belt in the world, unit length."""
+    start: float
+    """Position [m] of the axis at the start of the move."""
+    end: float
+
+
 def carrier_motion(
     number: int,
     robot: Robot,
@@ -121,8 +134,8 @@ class Placement:
     carrier: Carrier | None = None
     """None for the plain set-up: tool on the robot, base and work object stationary."""
     carrier_axes: tuple[Array, Array] | None = None
-    """Axes (l,) [rad, m] of the robot that carries the work object along, at the start and at the
-    end of the move; None if no robot does."""
+    """Axes (l,) [rad, m] of the robot or belt that carries the work object along, at the start and
+    at the end of the move; None if none does."""
 
     @cached_property
     def _curve_from_object(self) -> rigid.Rigid:
@@ -149,7 +162,8 @@ class Placement:
     ) -> Transform:
         """Return curve_from_tcp for joints (n,) [rad] and external axes (e,) [m or rad].
 
-        If another robot carries the work object along: for the end of the move, or for its start.
+        If another robot or a belt carries the work object along: for the end of the move, or for
+        its start.
         """
         if self.carrier is None:
             return scalar_inverse.base_from_tcp(kinematics, joints, self.tcp_from_flange)
@@ -178,6 +192,7 @@ def placement(
     *,
     world_from_user: Transform | None = None,
     lead: CarrierMotion | None = None,
+    belt: BeltMotion | None = None,
 ) -> Placement | NotSimulatedFrame:
     """Return the placement of targets for a tool and a work object.
 
@@ -188,6 +203,7 @@ def placement(
         external: The external axes.
         world_from_user: User frame of the work object, if another robot holds it at rest.
         lead: The robot that carries the work object along.
+        belt: The belt that carries it along.
 
     Returns:
         A reason if nothing moves the tool relative to the work object: the robot must hold one of
@@ -208,6 +224,12 @@ def placement(
         carrier = Carrier(base_screws=base_screws, robot=lead.leader)
         object_frame = transform(wobj.oframe)
         return Placement(object_frame, tcp_from_flange(tool), carrier, (lead.start, lead.end))
+    if belt is not None:
+        along = Screw(len(external), base_from_world.rotation @ belt.direction, None)
+        carrier = Carrier(object_screws=(along,), base_screws=base_screws)
+        base_from_object = base_from_world @ belt.world_from_user @ transform(wobj.oframe)
+        axes = np.array([belt.start]), np.array([belt.end])
+        return Placement(base_from_object, tcp_from_flange(tool), carrier, axes)
     unit = unit_of(wobj, external)
     on_unit = [i for i, axis in enumerate(external) if axis.unit in unit and axis.carries == "wobj"]
     object_screws = screws_of(external, on_unit, frame)

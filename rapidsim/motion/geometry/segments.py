@@ -14,6 +14,7 @@ import numpy as np
 
 from rapidsim.frames.moving_frames import Screw
 from rapidsim.frames.transform import Array, Transform
+from rapidsim.motion.geometry.belts import BeltRide
 from rapidsim.motion.kinematics.arm import Kinematics
 from rapidsim.values import value_class
 
@@ -183,12 +184,48 @@ class Segment:
     """Load at the wrist that adds to the arm's inertia, as a share of the rated payload."""
     carrier_axes: tuple[Array, Array] | None = None
     """Start and end (l,) [rad, m] of the carrier axes, which follow the external axes in joint
-    vectors; None if no robot carries the work object."""
+    vectors; None if no robot or belt carries the work object."""
+    rides: tuple[BeltRide, ...] = ()
+    """Belts that the arm follows, of which the last carrier axis is the expected travel."""
 
     @property
     def wrist_pair(self) -> tuple[int, int] | None:
         """Indices of the two joints that guide the tool along an arc; None for other segments."""
         return WRIST_PAIRS.get(self.circle_mode) if self.geometry is Geometry.ARC else None
+
+
+def with_belt_axis(
+    segment: Segment, start: float, end: float, rides: tuple[BeltRide, ...] | None = None
+) -> Segment:
+    """Return a segment with the axis [m] of a belt, which limits no speed.
+
+    Args:
+        segment: The segment.
+        start: Position of the axis at its start.
+        end: Position of the axis at its end.
+        rides: The belts that it follows; None for those that it follows already.
+    """
+    own = len(segment.start.external)
+    return replace(
+        segment,
+        carrier_axes=(np.array([start]), np.array([end])),
+        external_linear=(*segment.external_linear[:own], True),
+        external_speeds=(*segment.external_speeds[:own], math.inf),
+        rides=segment.rides if rides is None else rides,
+    )
+
+
+def without_carrier_axes(segment: Segment) -> Segment:
+    """Return a segment that nothing carries without the axes of what carries its neighbours."""
+    if segment.carrier_axes is None or segment.carrier is not None:
+        return segment
+    own = len(segment.start.external)
+    return replace(
+        segment,
+        carrier_axes=None,
+        external_linear=segment.external_linear[:own],
+        external_speeds=segment.external_speeds[:own],
+    )
 
 
 def with_carrier_axes(segment: Segment, start: Array, end: Array) -> Segment:

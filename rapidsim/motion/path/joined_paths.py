@@ -52,7 +52,7 @@ def joined_paths(paths: Sequence[Path]) -> JoinedPaths:
     for path in paths:
         size += len(path.segments)
         # One robot's part of a synchronised path has another parameter.
-        if size > _MOST_CURVES or type(path) is not Path or type(rows[-1][0]) is not Path:
+        if size > _MOST_CURVES or not (_is_plain(path) and _is_plain(rows[-1][0])):
             rows.append([])
             size = len(path.segments)
         rows[-1].append(path)
@@ -63,6 +63,11 @@ def joined_paths(paths: Sequence[Path]) -> JoinedPaths:
         np.concatenate(starts),
         np.concatenate([_segments_before(row) for row in rows]),
     )
+
+
+def _is_plain(path: Path) -> bool:
+    """Whether a path may be joined: the arm is on it, over a parameter of its own."""
+    return type(path) is Path and path.belts is None
 
 
 def _starts(paths: Sequence[Path]) -> Array:

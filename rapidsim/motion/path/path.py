@@ -29,6 +29,7 @@ from rapidsim.motion.kinematics.arm import Kinematics
 from rapidsim.motion.kinematics.unwrapping import in_turn_of
 from rapidsim.motion.model import MotionModel
 from rapidsim.motion.path.along_curves import Nodes
+from rapidsim.motion.path.belt_offsets import BeltOffsets, belt_offsets
 from rapidsim.motion.path.joints_on_path import JointsOnPath, in_joint_space, joints_at_corners
 from rapidsim.motion.path.line_derivatives import Lines
 from rapidsim.motion.path.nominal_times import NominalTimes, nominal_times
@@ -100,6 +101,13 @@ class Path:
     def segment_bounds(self) -> Array:
         """`segment_starts`, followed by the end of the path: s (segments + 1,)."""
         return np.append(self.segment_starts, self.length)
+
+    @cached_property
+    def belts(self) -> BeltOffsets | None:
+        """Offsets of the arm from the path; None if it follows no belt."""
+        if not any(segment.rides for segment in self.segments):
+            return None
+        return belt_offsets(self.segments, self.segment_bounds)
 
     @cached_property
     def lengths(self) -> Array:

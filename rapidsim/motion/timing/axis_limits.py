@@ -9,11 +9,15 @@ import numpy as np
 
 from rapidsim.frames.transform import Array
 from rapidsim.motion.model import MotionModel
+from rapidsim.motion.path.path import Path
 from rapidsim.motion.path.path_derivatives import PathRates
 from rapidsim.motion.robot.dynamics import Dynamics
 from rapidsim.motion.robot.motion_constants import MotionConstants
 from rapidsim.motion.robot.robot import Robot, RobotError
 from rapidsim.values import value_class
+
+_FREE_SPEED, _FREE_ACCELERATION = 1e3, 1e6
+"""Speed [m/s] and acceleration [m/s2] that limit no belt."""
 
 
 @value_class(frozen=True, slots=True, eq=False)
@@ -145,6 +149,18 @@ def combined_limits(limits: Sequence[Limits]) -> Limits:
         np.concatenate([one.max_acceleration for one in limits]),
         np.concatenate([one.zone_share for one in limits]),
         tuple(arms),
+    )
+
+
+def limits_along(path: Path, limits: Limits) -> Limits:
+    """Return the limits of all axes of a path: one that stands for a belt has none."""
+    if path.belts is None:
+        return limits
+    return replace(
+        limits,
+        max_speed=np.append(limits.max_speed, _FREE_SPEED),
+        max_acceleration=np.append(limits.max_acceleration, _FREE_ACCELERATION),
+        zone_share=np.append(limits.zone_share, 1.0),
     )
 
 

@@ -11,7 +11,7 @@ import numpy as np
 
 from rapidsim.frames.transform import Array
 from rapidsim.motion.path.path import Path
-from rapidsim.motion.timing.axis_limits import Limits
+from rapidsim.motion.timing.axis_limits import Limits, limits_along
 from rapidsim.motion.timing.constraints import Limiter, Quantity
 from rapidsim.motion.timing.discretisation import cells_of
 from rapidsim.motion.timing.problem import problem_of
@@ -49,6 +49,7 @@ def stop_at(
         The motion to rest; its last `s` is where the arm stops. Time 0 is at its first `s`.
     """
     s, speed = timing.s_at(time_s), timing.speed_at(time_s)
+    limits = limits_along(path, limits)
     if speed <= _STANDSTILL or s >= path.length:
         return TimeScaling(np.full(2, s), np.zeros(2), 0.0)
     hardest = speed / in_s if in_s > 0.0 else np.inf

@@ -10,7 +10,7 @@ from rapidsim.frames.transform import Array
 from rapidsim.motion.interruption import Look, undisturbed
 from rapidsim.motion.path.path import Path
 from rapidsim.motion.timing.active_constraints import active_limits
-from rapidsim.motion.timing.axis_limits import Limits
+from rapidsim.motion.timing.axis_limits import Limits, limits_along
 from rapidsim.motion.timing.constraints import Paces
 from rapidsim.motion.timing.discretisation import cells_of
 from rapidsim.motion.timing.problem import Problem, at_pace, problem_of
@@ -47,6 +47,7 @@ def plan(
     """
     if start >= path.length:
         return TimeScaling(np.full(2, path.length), np.zeros(2), start_excess=start_speed)
+    limits = limits_along(path, limits)
     timed, driven = _timed(path, start, spent_s)
     unpaced = {**driven, **dict.fromkeys(timed, math.inf)}
     problem = problem_of(path, cells_of(path, limits, start, check_deadline), limits, unpaced)

@@ -50,7 +50,7 @@ def mean_joints(
     covered = np.cumsum(np.minimum(np.diff(times[order], prepend=-np.inf), windows.widest))
     covered_s = _COARSE_COVERED_S if coarse else _COVERED_S
     chunk = np.maximum(np.arange(len(order)) // _AT_ONCE, covered // covered_s)
-    joints = np.empty((len(times), command.piece(1).path.axis_count))
+    joints = np.empty((len(times), command.axis_count))
     rates = np.empty_like(joints)
     for at in np.split(order, np.flatnonzero(np.diff(chunk)) + 1):
         joints[at], rates[at] = _means(command, windows, times[at], coarse)
@@ -65,7 +65,7 @@ def _means(
     before = np.maximum(times - width, floor)
     place = command.place_at(times)
     moves = command.place_at(before) != place
-    joints = np.empty((len(times), command.piece(1).path.axis_count))
+    joints = np.empty((len(times), command.axis_count))
     rates = np.zeros_like(joints)
     # If the command is at rest during the window, so is the arm, to the last digit.
     still, moving = np.flatnonzero(~moves), np.flatnonzero(moves)

@@ -57,6 +57,7 @@ class MotionCommand:
     def __init__(self) -> None:
         """Create an empty command."""
         self._pieces: list[Piece] = []
+        self._axis_count = 0
         # Columns: see `_Column`.
         self._table = np.zeros((16, 8))
         self._rows = 1
@@ -71,6 +72,7 @@ class MotionCommand:
         copied._pieces = list(self._pieces)
         copied._table = self._table[: self._rows + 1].copy()
         copied._rows = self._rows
+        copied._axis_count = self._axis_count
         return copied
 
     @property
@@ -82,6 +84,11 @@ class MotionCommand:
     def last_row(self) -> int:
         """Number of the last row; 0 without pieces."""
         return self._rows - 1
+
+    @property
+    def axis_count(self) -> int:
+        """Number of joints, external axes and carrier axes; paths that have fewer leave zeros."""
+        return self._axis_count
 
     @property
     def end(self) -> float:
@@ -117,6 +124,7 @@ class MotionCommand:
         while self._rows + len(marks) > len(self._table):
             self._table = np.concatenate([self._table, np.zeros_like(self._table)])
         self._pieces.append(piece)
+        self._axis_count = max(self._axis_count, piece.path.axis_count)
         rows = self._table[self._rows : self._rows + len(marks)]
         rows[:, _Column.START] = start + (times[:-1] - offset)
         rows[:, _Column.DURATION] = np.diff(times)
@@ -368,9 +376,9 @@ class MotionCommand:
     def joints_at(self, times: Array) -> Array:
         """Return joints of the arm, then external axes, (k, n + e) at times (k,) [s]."""
         row = self.row_at(times)
-        joints = np.empty((len(times), self.piece(1).path.axis_count))
+        joints = np.zeros((len(times), self.axis_count))
         for path, s, at, _ in self.on_paths(row, self.state(row, times)[0]):
-            joints[at] = path.joints_at(s)
+            joints[at, : path.axis_count] = path.joints_at(s)
         return joints
 
     def nodes_between(self, first_s: float, last_s: float) -> Array:

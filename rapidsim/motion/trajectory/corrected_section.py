@@ -74,12 +74,17 @@ class CorrectedSection:
 
     def joints(self, joints: Array, offsets: Array) -> Array:
         """Return joints (k, n) [rad] of an arm moved by offsets (k, 3) [m]; NaN if unreachable."""
-        flange = self.kinematics.forward(joints)
-        led = Transform(flange.rotation, flange.translation + offsets)
-        branches = self.kinematics.branch_of(joints)
-        found = np.full_like(joints, np.nan)
-        for branch in np.unique(branches).tolist():
-            (rows,) = np.nonzero(branches == branch)
-            there = self.kinematics.inverse_on_branch(led[rows], branch, joints[rows])
-            found[rows[there.exists]] = there.joints[there.exists]
-        return found
+        return moved_joints(self.kinematics, joints, offsets)
+
+
+def moved_joints(kinematics: Kinematics, joints: Array, offsets: Array) -> Array:
+    """Return joints (k, n) [rad] of an arm moved by offsets (k, 3) [m]; NaN if unreachable."""
+    flange = kinematics.forward(joints)
+    led = Transform(flange.rotation, flange.translation + offsets)
+    branches = kinematics.branch_of(joints)
+    found = np.full_like(joints, np.nan)
+    for branch in np.unique(branches).tolist():
+        (rows,) = np.nonzero(branches == branch)
+        there = kinematics.inverse_on_branch(led[rows], branch, joints[rows])
+        found[rows[there.exists]] = there.joints[there.exists]
+    return found

@@ -17,12 +17,13 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from dataclasses import field, replace
+from dataclasses import replace
 from typing import NamedTuple, overload
 
 import numpy as np
 
 from rapidsim.frames.transform import Array, Transform
+from rapidsim.motion.geometry.belts import BeltRide
 from rapidsim.motion.geometry.segments import Waypoint
 from rapidsim.motion.kinematics.arm import Mask
 from rapidsim.motion.model import Averages, Smoothing
@@ -32,6 +33,7 @@ from rapidsim.motion.trajectory.corrected_section import CorrectedSection
 from rapidsim.motion.trajectory.filter_windows import Windows
 from rapidsim.motion.trajectory.guided_section import GuidedSection
 from rapidsim.motion.trajectory.ramps import RampedCommand
+from rapidsim.motion.trajectory.samples import JointSamples, Samples, guide, lead, move_arm
 from rapidsim.motion.trajectory.zero_crossings import first_crossing_by_slope
 from rapidsim.values import value_class
 
@@ -40,43 +42,13 @@ SAMPLE_STEP_S = 0.012
 _SAMPLES_AT_ONCE = 10_000
 _PLACES_AT_ONCE = 2_000
 _ROUNDING_S = 1e-11
+_NO_TRAVEL_M = 1e-6
 _NO_WAY = 1e-9
 """TCP travel per path length [m/m] below which a path only turns the tool."""
 _CHORD_S = 0.004
 """Length [s] of the chords along which the travel of a guided arm is measured."""
 _NEAR_S = 1e-10
 """Difference [s] between times that the digits of a position can just distinguish."""
-
-
-@value_class(frozen=True, slots=True, eq=False)
-class Samples:
-    """State of the arm at some instants."""
-
-    times: Array
-    """Shape (k,) [s]."""
-    move: Index
-    """Shape (k,): index of the active move; at rest, that of the last move before, or of the first
-    one."""
-    joints: Array
-    """Shape (k, n) [rad]."""
-    base_from_tcp: Transform
-    """Shape (k,); the tool is that of the move."""
-    tcp_speed: Array
-    """Shape (k,) [m/s], against the work object."""
-    external: Array = field(default_factory=lambda: np.zeros((0, 0)))
-    """Shape (k, e) [m or rad]: the external axes."""
-
-
-@value_class(frozen=True, slots=True, eq=False)
-class JointSamples:
-    """Axes at some instants, without poses."""
-
-    move: Index
-    """Shape (k,): see `Samples`."""
-    joints: Array
-    """Shape (k, n) [rad]."""
-    external: Array
-    """Shape (k, e) [m or rad]: the external axes."""
 
 
 class Mark(NamedTuple):
@@ -118,6 +90,7 @@ class Trajectory:
         self._ramped = RampedCommand()
         self._guided: list[_Guided] = []
         self._corrected: list[CorrectedSection] = []
+        self._follows_belts = False
 
     def begin_at(self, start: Waypoint) -> None:
         """Rest at another start position; for an arm that has not moved."""
@@ -159,15 +132,27 @@ class Trajectory:
         Raises:
             ValueError: If the piece starts before the last one ends, or ends before it starts.
         """
-        elsewhere = False
+        elsewhere = self._has_ridden_on(piece)
+        self._follows_belts = self._follows_belts or piece.path.belts is not None
         if self._guided:
             last = self._guided[-1]
-            elsewhere = np.isinf(last.until_s)
+            elsewhere |= bool(np.isinf(last.until_s))
             self._guided[-1] = replace(last, until_s=min(last.until_s, piece.start_time))
         if elsewhere:
             filter_time = self._windows.filter_time
             self._windows.begin(piece.start_time, filter_time, elsewhere=True)
         return self._ramped.append(piece, elsewhere=elsewhere)
+
+    def _has_ridden_on(self, piece: Piece) -> bool:
+        """Whether a belt has taken the arm elsewhere before a piece on it begins."""
+        if piece.path.belts is None or not self._follows_belts:
+            return False
+        last = self.pieces[-1]
+        if last.path.belts is None:
+            return False
+        ends = (last.path, last.to_s), (piece.path, piece.from_s)
+        before, now = (float(path.joints_at(np.array([s]))[0, -1]) for path, s in ends)
+        return abs(now - before) > _NO_TRAVEL_M
 
     def cut(self, time_s: float) -> None:
         """Remove the command after a time [s]."""
@@ -194,6 +179,7 @@ class Trajectory:
         longer = Trajectory(self._start, smoothing=self._smoothing)
         longer._windows, longer._ramped = self._windows.copy(), self._ramped.copy()
         longer._guided, longer._corrected = self._guided.copy(), self._corrected
+        longer._follows_belts = self._follows_belts
         longer.append(piece)
         return longer
 
@@ -217,6 +203,22 @@ class Trajectory:
         """Return the delay [s] of the visible motion after that time."""
         ramp_s = self._ramped.lag_s(command_s)
         return ramp_s + self._windows.lag(command_s + ramp_s)
+
+    @property
+    def follows_belts(self) -> bool:
+        """Whether the arm follows a belt anywhere."""
+        return self._follows_belts
+
+    def riding(self) -> tuple[tuple[BeltRide, ...], float]:
+        """Return the belts that the arm follows at the end of its command, and their axis [m]."""
+        if not self._follows_belts or self.pieces[-1].path.belts is None:
+            return (), 0.0
+        last = self.pieces[-1]
+        end = np.array([last.to_s])
+        belts = last.path.belts
+        assert belts is not None
+        riding = belts.riding(int(last.path.segment_at(end)[0]), last.to_s)
+        return riding, float(last.path.joints_at(end)[0, -1]) if riding else 0.0
 
     @property
     def has_ramps(self) -> bool:
@@ -258,7 +260,7 @@ class Trajectory:
         Guidance and corrections by a sensor are measured along chords of `_CHORD_S`.
         """
         ends_s = [one.until_s for one in self._guided] + [one.until_s for one in self._corrected]
-        if any(end_s > first.time_s for end_s in ends_s):
+        if self._follows_belts or any(end_s > first.time_s for end_s in ends_s):
             steps = max(1, math.ceil((last.time_s - first.time_s) / _CHORD_S))
             samples = self.at(np.linspace(first.time_s, last.time_s, steps + 1))
             chords = np.diff(samples.base_from_tcp.translation, axis=0)
@@ -281,18 +283,20 @@ class Trajectory:
         moves are short.
         """
         times = np.atleast_1d(np.asarray(times, dtype=np.float64))
+        # Where a belt has taken the arm elsewhere, parts of equal width would span the jump.
+        coarse = coarse and not self._follows_belts
         samples = self._planned(times, coarse) if self.command.last_row else self._standing(times)
         for led in self._corrected:
             beside = (led.start_s <= times) & (times < led.until_s)
             if beside.any():
-                _lead(samples, led, beside)
+                lead(samples, led, beside)
         for stretch, held in self._guided_sections(times):
-            _guide(samples, stretch, held)
+            guide(samples, stretch, held)
         return samples
 
     def postures(self, times: Array) -> JointSamples:
         """Return the axes at some instants (k,) [s], in any order, as accurate as a coarse `at`."""
-        if not self.command.last_row or not self._by_axes or self._corrected:
+        if not self.command.last_row or not self._by_axes or self._corrected or self.follows_belts:
             samples = self.at(times)
             return JointSamples(samples.move, samples.joints, samples.external)
         row, way, _ = self._visible(times)
@@ -301,6 +305,7 @@ class Trajectory:
         for path, s, at, first in self.command.on_paths(row, way):
             move[at] = first + path.segment_at(s)
         arm, external = np.split(joints, [len(self._start.joints)], axis=1)
+        external = external[:, : self._external_count]
         for stretch, held in self._guided_sections(times):
             arm[held], external[held] = stretch.joints_at(times[held]), stretch.external
         return JointSamples(move, arm, external)
@@ -320,8 +325,8 @@ class Trajectory:
         """Return the arm on its path."""
         row, way, speed = self._visible(times)
         by_axes = self._by_axes
-        joints = np.empty((len(times), self.command.piece(1).path.axis_count))
-        rates = np.empty(0)
+        joints = np.empty((len(times), self.command.axis_count))
+        rates, offsets = np.empty(0), None
         if by_axes:
             joints, rates = mean_joints(self.command, self._windows, times, coarse=coarse)
         pose = Transform(np.empty((len(times), 3, 3)), np.empty((len(times), 3)))
@@ -329,16 +334,31 @@ class Trajectory:
         # Before the first piece the arm is at its start, with its tool.
         for path, s, at, first in self.command.on_paths(row, way):
             if by_axes:
-                tcp, segment, tcp_speed[at] = path.nearby_state(s, joints[at], rates[at], speed[at])
+                own = slice(path.axis_count)
+                tcp, segment, tcp_speed[at] = path.nearby_state(
+                    s, joints[at, own], rates[at, own], speed[at]
+                )
             else:
                 points = path.evaluate(s)
-                joints[at] = np.concatenate([points.joints, points.external], axis=1)
+                joints[at, : path.axis_count] = np.concatenate(
+                    [points.joints, points.external], axis=1
+                )
                 tcp, segment = points.base_from_tcp, points.segment
                 tcp_speed[at] = points.tcp_rate * speed[at]
             pose.rotation[at], pose.translation[at] = tcp.rotation, tcp.translation
             move[at] = first + segment
+            if path.belts is not None:
+                offsets = np.zeros((len(times), 3)) if offsets is None else offsets
+                axis = joints[at, path.axis_count - 1]
+                offsets[at] = path.belts.at(segment, s, axis, times[at])
         arm, external = np.split(joints, [len(self._start.joints)], axis=1)
-        return Samples(times, move, arm, pose, tcp_speed, external)
+        samples = Samples(times, move, arm, pose, tcp_speed, external[:, : self._external_count])
+        return samples if offsets is None else move_arm(samples, path.kinematics, offsets)
+
+    @property
+    def _external_count(self) -> int:
+        """Number of external axes; axes of carriers, which follow them, are no samples."""
+        return len(self._start.external)
 
     def directions(self, times: Array) -> Array:
         """Return directions (k, 3) of the path at instants (k,) [s], in base; 0 if it has none.
@@ -366,7 +386,11 @@ class Trajectory:
             return off
         row, way, _ = self._visible(samples.times)
         for path, s, at, _ in self.command.on_paths(row, way):
-            on_path = path.evaluate(s).base_from_tcp.translation
+            points = path.evaluate(s)
+            on_path = points.base_from_tcp.translation
+            if path.belts is not None:
+                axis = points.external[:, -1]
+                on_path = on_path + path.belts.at(points.segment, s, axis, samples.times[at])
             off[at] = np.linalg.norm(samples.base_from_tcp.translation[at] - on_path, axis=1)
         for _, held in self._guided_sections(samples.times):
             off[held] = 0.0
@@ -471,26 +495,3 @@ class Trajectory:
                 return row, np.minimum(arc_length, whole)
             arc_length[past] -= whole[past]
             row[past] = np.minimum(self.command.following(row[past]), self.command.last_row)
-
-
-def _lead(samples: Samples, section: CorrectedSection, mask: Mask) -> None:
-    """Apply a correction to the samples that it determines."""
-    times = samples.times[mask]
-    ways = section.offsets_at(times)
-    joints = section.joints(samples.joints[mask], ways)
-    reached = ~np.isnan(joints).any(axis=1)
-    rows = np.flatnonzero(mask)[reached]
-    samples.joints[rows] = joints[reached]
-    samples.base_from_tcp.translation[rows] += ways[reached]
-    samples.tcp_speed[rows] = np.hypot(samples.tcp_speed[rows], section.speeds_at(times)[reached])
-
-
-def _guide(samples: Samples, section: GuidedSection, mask: Mask) -> None:
-    """Replace the samples that a guided section determines."""
-    times = samples.times[mask]
-    joints = section.joints_at(times)
-    pose = section.tcp_at(joints)
-    samples.joints[mask], samples.external[mask] = joints, section.external
-    samples.base_from_tcp.rotation[mask] = pose.rotation
-    samples.base_from_tcp.translation[mask] = pose.translation
-    samples.tcp_speed[mask] = section.tcp_speed_at(times)

@@ -16,7 +16,7 @@ from rapidsim.motion.configurations.reachability import limit_excess, unreachabl
 from rapidsim.motion.numba_jit import jit_reconsidered
 from rapidsim.motion.robot.external_axes import amount_text
 from rapidsim.motion.robot.robot import Robot
-from rapidsim.motion.trajectory.trajectory import Samples
+from rapidsim.motion.trajectory.samples import Samples
 from rapidsim.motion.waypoints.plan import (
     JointsOverTime,
     Plan,

@@ -12,7 +12,7 @@ import rerun.blueprint as rrb
 
 from rapidsim.recording import palette
 from rapidsim.recording.layout.camera import Viewpoint, cell_camera, near_camera
-from rapidsim.recording.panels import log, plots, program_listing, state_lanes
+from rapidsim.recording.panels import belts, log, plots, program_listing, state_lanes
 from rapidsim.recording.panels.legend import emptiest_corner
 from rapidsim.recording.samples import RecordedRobot
 from rapidsim.recording.scene import failed_moves, paths, speed_path, targets
@@ -157,7 +157,10 @@ def _joints(run: RecordedRobot) -> list[rrb.View]:
         origin=f"/{run.entity(plots.EXTERNAL)}", name=_titled(run, "external axes"), axis_x=time
     )
     shares = [_shares(run, entity, time) for entity in plots.SHARES]
-    return [angles, *([external] if run.robot.external else []), *shares]
+    more = [external] if run.robot.external else []
+    if run.sampled.simulation.belts:
+        more.append(rrb.TimeSeriesView(origin=f"/{belts.ENTITY}", name="Belts", axis_x=time))
+    return [angles, *more, *shares]
 
 
 def _shares(run: RecordedRobot, entity: str, time: rrb.TimeAxis) -> rrb.View:

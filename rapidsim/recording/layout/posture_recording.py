@@ -13,7 +13,7 @@ import rerun.blueprint as rrb
 from rapidsim.frames.transform import Array, Transform
 from rapidsim.motion.configurations.postures import Posture, Postures
 from rapidsim.motion.robot.robot import Robot
-from rapidsim.motion.trajectory.trajectory import Samples
+from rapidsim.motion.trajectory.samples import Samples
 from rapidsim.recording import palette
 from rapidsim.recording.layout.blueprint import laid_out, space
 from rapidsim.recording.layout.camera import looking_at

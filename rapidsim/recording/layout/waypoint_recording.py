@@ -13,7 +13,7 @@ import rerun.blueprint as rrb
 
 from rapidsim.frames.transform import Array, Transform, unbroken
 from rapidsim.motion.robot.robot import Robot
-from rapidsim.motion.trajectory.trajectory import Samples
+from rapidsim.motion.trajectory.samples import Samples
 from rapidsim.motion.waypoints.attitudes import attitude_rates
 from rapidsim.motion.waypoints.follow import FollowedTrajectory
 from rapidsim.motion.waypoints.plan import Way

@@ -20,6 +20,7 @@ from rapidsim.frames.transform import Transform
 from rapidsim.motion.timing.axis_limits import limits_of, model_of
 from rapidsim.recording.layout.blueprint import blueprint
 from rapidsim.recording.layout.camera import cell_size
+from rapidsim.recording.panels.belts import log_belts
 from rapidsim.recording.panels.log import log_messages
 from rapidsim.recording.panels.plots import log_plots
 from rapidsim.recording.panels.program_listing import log_listing
@@ -86,6 +87,7 @@ def _log_whole(stream: rr.RecordingStream, simulation: Simulation, run: Recorded
     stream.log("/", rr.ViewCoordinates.RIGHT_HAND_Z_UP, rr.CoordinateFrame(WORLD), static=True)
     log_signals(stream, run)
     log_errors(stream, run)
+    log_belts(stream, run)
 
 
 def _log_robot(

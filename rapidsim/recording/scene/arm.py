@@ -22,7 +22,7 @@ from rapidsim.files import input_text
 from rapidsim.frames.transform import Transform
 from rapidsim.motion.robot.robot import Robot
 from rapidsim.motion.robot.urdf_text import plain_urdf
-from rapidsim.motion.trajectory.trajectory import Samples
+from rapidsim.motion.trajectory.samples import Samples
 from rapidsim.recording import palette
 from rapidsim.recording.scene.link_shapes import log_shapes
 from rapidsim.recording.scene.stick_figure import log_bar

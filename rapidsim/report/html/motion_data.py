@@ -15,7 +15,7 @@ from rapidsim.controller.journal.events import Event, EventKind
 from rapidsim.controller.journal.failed_moves import FailedMove
 from rapidsim.controller.moves.executed_move import ExecutedMove
 from rapidsim.frames.transform import Array, Transform
-from rapidsim.motion.trajectory.trajectory import Samples
+from rapidsim.motion.trajectory.samples import Samples
 from rapidsim.report.html.arm_shapes import arm_data
 from rapidsim.report.html.cell_objects import objects_data
 from rapidsim.report.html.packing import packed, packed_columns

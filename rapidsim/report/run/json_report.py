@@ -19,6 +19,7 @@ from rapidsim.json_records.declarations import (
 from rapidsim.json_records.encoding import json_of
 from rapidsim.report.findings.diagnostic_records import DiagnosticRecord, diagnostic_record
 from rapidsim.report.findings.merging import merged
+from rapidsim.report.run.belt_records import BeltRecord, belt_records
 from rapidsim.report.run.collision_records import RunCollisions, run_collisions
 from rapidsim.report.run.error_records import ErrorRecord, error_records
 from rapidsim.report.run.figures import Figures, JointMargin, OffPath, SingularityMargin
@@ -186,6 +187,8 @@ class RunReport(OutputRecord):
     """The arm; of several robots, the first."""
     robots: OrAbsent[tuple[StationedRobot, ...]] = None
     """Robots with their tasks and bases; absent if there is only one."""
+    conveyors: OrAbsent[tuple[BeltRecord, ...]] = None
+    """Belts of the cell; absent if there are none."""
     ok: bool = False
     """Whether the run succeeded: the exit code is 0."""
     qualifications: tuple[str, ...] = ()
@@ -297,6 +300,7 @@ def course_report(simulation: Simulation, findings: Sequence[Diagnostic]) -> Run
     return replace(
         rejected_report(simulation.program, first, findings),
         robots=_robots(simulation) or None,
+        conveyors=belt_records(simulation) or None,
         end=simulation.end,
         time_s=simulation.time_s,
         motion_s=simulation.motion_s,

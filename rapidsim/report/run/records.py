@@ -76,6 +76,8 @@ class MoveRecord:
     """cf1, cf4, cf6, cfx."""
     external: OrAbsent[Mapping[str, Rounded]] = None
     """External axes by component [mm or degrees]; None if there are no external axes."""
+    conveyor: OrAbsent[str] = None
+    """Conveyor whose object the arm follows at the end of the move; absent if it follows none."""
 
     def __repr__(self) -> str:
         """One line."""
@@ -160,6 +162,7 @@ def _move(
         joints_deg=tuple(map(float, np.degrees(move.joints))),
         conf=tuple(map(int, move.conf)),
         external=external or None,
+        conveyor=move.conveyor,
     )
 
 

@@ -85,6 +85,7 @@ def _has_curve(segment: Segment | None) -> bool:
         segment is not None
         and segment.geometry is not Geometry.JOINT
         and segment.carrier is None
+        and not segment.rides
         and segment.wrist_pair is None
         and circle_fault(segment) is None
     )

@@ -21,7 +21,13 @@ from rapidsim.motion.configurations.confdata import (
 )
 from rapidsim.motion.geometry.curves import curves_of
 from rapidsim.motion.geometry.joint_mapping import arms_of
-from rapidsim.motion.geometry.segments import CircleMode, Geometry, Segment, Waypoint
+from rapidsim.motion.geometry.segments import (
+    CircleMode,
+    Geometry,
+    Segment,
+    Waypoint,
+    without_carrier_axes,
+)
 from rapidsim.motion.model import MotionModel
 from rapidsim.motion.path.building import build_path
 from rapidsim.motion.path.curve_feasibility import survey_curves
@@ -59,7 +65,7 @@ def segments_of(robot_run: RobotRun) -> Mapping[int, Segment]:
     """Return the executed segments of a robot's moves, by number of the move."""
     # If a path was planned again from within a move, the first segment is the whole one.
     return {
-        number: segment
+        number: without_carrier_axes(segment)
         for piece in reversed(robot_run.trajectory.pieces)
         for number, segment in piece.numbered
     }
@@ -80,7 +86,8 @@ def linear_alternative(
         the inverse kinematics of the arm is iterative.
     """
     kinematics = robot.kinematics
-    if segment.carrier is not None or robot.external or not has_branches(kinematics):
+    carried = segment.carrier is not None or bool(segment.rides)
+    if carried or robot.external or not has_branches(kinematics):
         return None
     joints = segment.start.joints
     tcp = kinematics.forward(joints) @ segment.tcp_from_flange.inverse()

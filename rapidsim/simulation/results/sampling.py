@@ -13,7 +13,8 @@ from rapidsim.controller.moves.executed_move import CornerKind
 from rapidsim.controller.moves.executed_moves import MoveColumns
 from rapidsim.frames.transform import Array, Transform
 from rapidsim.motion.timing.axis_limits import Limits, limits_of
-from rapidsim.motion.trajectory.trajectory import Samples, Trajectory
+from rapidsim.motion.trajectory.samples import Samples
+from rapidsim.motion.trajectory.trajectory import Trajectory
 from rapidsim.simulation.results.simulation import RobotRun, Simulation
 from rapidsim.values import value_class
 

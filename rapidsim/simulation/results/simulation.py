@@ -21,9 +21,11 @@ from rapidsim.controller.moves.executed_moves import ExecutedMoves, moves_of_all
 from rapidsim.diagnostics import Diagnostic
 from rapidsim.files import InputError, did_you_mean
 from rapidsim.frames.transform import Array, Transform
+from rapidsim.motion.geometry.belts import BeltCourse
 from rapidsim.motion.model import MotionModel
 from rapidsim.motion.robot.robot import Robot
-from rapidsim.motion.trajectory.trajectory import Samples, Trajectory
+from rapidsim.motion.trajectory.samples import Samples
+from rapidsim.motion.trajectory.trajectory import Trajectory
 from rapidsim.simulation.results.persistents import PersistentChange
 from rapidsim.station.task_kind import TaskKind
 from rapidsim.values import value_class
@@ -116,6 +118,8 @@ class Simulation:
     home_files: tuple[WrittenFile, ...]
     lacked_files: bool = False
     """Whether the program accessed files or folders that the home folder does not have."""
+    belts: tuple[BeltCourse, ...] = ()
+    """Belts of the cell, in the order of the station file."""
     persistents: tuple[PersistentChange, ...] = ()
     """Persistents whose final values differ from their declarations."""
     waits: tuple[Wait, ...] = ()

@@ -15,7 +15,7 @@ from rapidsim.controller.moves.executed_moves import ExecutedMoves
 from rapidsim.diagnostics import Diagnostic
 from rapidsim.findings.smoothing import CornerTooFast
 from rapidsim.motion.model import MotionModel
-from rapidsim.motion.timing.axis_limits import Limits
+from rapidsim.motion.timing.axis_limits import Limits, limits_along
 from rapidsim.motion.timing.constraints import axis_rows
 from rapidsim.motion.timing.discretisation import GridPoints
 from rapidsim.motion.trajectory.command import Piece
@@ -84,6 +84,7 @@ def _too_fast(
     if not len(faster):
         return
     at = path.layout.piece_at(s[faster])
+    limits = limits_along(path, limits)
     rows = axis_rows(path, GridPoints(s[faster], at, path.rates(s[faster], at)), limits)
     loads = np.abs(rows.bend) * seen[faster, None] ** 2
     for number, load in zip(faster.tolist(), loads, strict=True):
