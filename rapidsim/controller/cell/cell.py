@@ -2,9 +2,7 @@
 
 A signal change triggers everything that depends on it at the same instant: connected signals,
 interrupts, and stimuli whose condition becomes true. Future changes are kept in one list; a task
-dispatches them while it passes time.
-
-Passing time goes through `scheduler`, so that several tasks can share one clock.
+dispatches them while it passes time, through `scheduler`, so that tasks can share one clock.
 """
 
 from __future__ import annotations
@@ -232,9 +230,8 @@ class Cell:
         """Whether clients may act at any time, so that programs must keep pace with robots."""
         self.logbook: Callable[[str, LoggedError, float], None] | None = None
         """Called with each entry of the event log, its task and its time [s]."""
-        self.listeners: list[SignalListener] = [
-            one for one in self.conveyors.values() if one.is_wired
-        ]
+        wired = (conveyor for conveyor in self.conveyors.values() if conveyor.is_wired)
+        self.listeners: list[SignalListener] = list(wired)
         self.error_listeners: list[EventLogListener] = []
         self.event_count = 0
         """Number of events to which another task may have to react."""
