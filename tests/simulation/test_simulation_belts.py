@@ -317,3 +317,16 @@ def test_a_check_finds_targets_that_a_belt_takes_nowhere_within_reach(tmp_path: 
     found = [one for one in rapidsim.load(tmp_path).check().diagnostics if one.code == "K601"]
     assert len(found) == 1
     assert "all along 420 mm" in found[0].message
+
+
+def test_a_move_that_is_slowed_down_for_a_belt_says_so(tmp_path: Path) -> None:
+    """On 20 mm of way the arm has to catch up with 400 mm/s."""
+    body = r"""
+    MoveJ pWait,v1000,fine,tGrip;
+    WaitWObj wBelt\RelDist:=100;
+    here:=CRobT(\Tool:=tGrip\WObj:=wBelt);
+    MoveL Offs(here,0,0,-20),vmax,fine,tGrip\WObj:=wBelt;
+    MoveJ pWait,v1000,fine,tGrip;
+"""
+    run = run_of(tmp_path, body, station(400.0))
+    assert [move.limit for move in run.moves][1] == "belt that the arm follows"

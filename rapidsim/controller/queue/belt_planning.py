@@ -203,7 +203,15 @@ def _slowed(segments: Sequence[Segment], factors: Array, speeds: Array | None) -
             speed = Speed(tcp, speed.reorientation * tcp / speed.tcp)
             duration = None if duration is None else duration / factor
         share = segment.acceleration_share * factor**2
-        slowed.append(replace(segment, speed=speed, duration=duration, acceleration_share=share))
+        slowed.append(
+            replace(
+                segment,
+                speed=speed,
+                duration=duration,
+                acceleration_share=share,
+                slowed_for_belt=factor < 1.0,
+            )
+        )
     return slowed
 
 

@@ -458,6 +458,7 @@ class MotionQueue:
                 speed=before.speed,
                 duration=before.duration,
                 acceleration_share=before.acceleration_share,
+                slowed_for_belt=False,
             )
             here, there = map(member.robot.forward, (before.end.joints, segment.end.joints))
             pose, moved = queued.base_from_tcp, there.translation - here.translation

@@ -187,6 +187,8 @@ class Segment:
     vectors; None if no robot or belt carries the work object."""
     rides: tuple[BeltRide, ...] = ()
     """Belts that the arm follows, of which the last carrier axis is the expected travel."""
+    slowed_for_belt: bool = False
+    """Whether speed and acceleration are lower than programmed, so that the arm can follow."""
 
     @property
     def wrist_pair(self) -> tuple[int, int] | None:

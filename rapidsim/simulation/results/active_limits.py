@@ -24,6 +24,8 @@ from rapidsim.values import value_class
 
 _Team = Sequence[tuple[RobotRun, Piece]]
 
+_BELT = "belt that the arm follows"
+
 
 @value_class(frozen=True, slots=True)
 class ActiveLimit:
@@ -145,7 +147,11 @@ def _teams(simulation: Simulation, robot_run: RobotRun) -> Mapping[tuple[int, in
 def _limit(limiter: Limiter, segment: int, robot_run: RobotRun, team: _Team) -> ActiveLimit:
     """Return the limit of a segment of a piece, from the point of view of one robot of a team."""
     text, axis = str(limiter), limiter.axis
-    if limiter.robot is not None:
+    if any(
+        one is robot_run and piece.path.segments[segment].slowed_for_belt for one, piece in team
+    ):
+        text = _BELT
+    elif limiter.robot is not None:
         setter, piece = team[limiter.robot]
         move = setter.move(piece.first + segment)
         if move is not None:
