@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     from rapidsim.recording.layout.write import record
     from rapidsim.syntax.parser import parse
 
-__version__ = "0.1.0"
+__version__ = "0.2.0"
 
 __all__ = [
     "CallError",

@@ -16,7 +16,8 @@ PLACES = {GITHUB: Path(".github", "workflows", "rapid.yml"), GITLAB: Path(".gitl
 IGNORED = ("*.rrd", "*.home/")
 """Files that runs write, as lines of a .gitignore."""
 
-_REQUIREMENT = '"rapidsim[view]"      # what pip installs: a release, git+https://..., or a wheel'
+_INSTALL = 'pip install "${RAPIDSIM:?a variable of the project says what pip installs}"'
+"""Not a name: that of the package means another project on the public index."""
 _PAGE = "rapidsim view rapidsim.rrd --export rapidsim-page"
 _GITHUB = """name: RAPID
 on: [push, pull_request]
@@ -25,7 +26,7 @@ permissions:
   security-events: write      # findings beside the lines
   pull-requests: write        # what changed, as a comment
 env:
-  RAPIDSIM: {requirement}
+  RAPIDSIM: ${{{{ vars.RAPIDSIM }}}}      # what pip installs: docs/ci.md
 jobs:
   rapid:
     runs-on: ubuntu-latest
@@ -36,7 +37,7 @@ jobs:
       - uses: actions/setup-python@v5
         with:
           python-version: "3.12"
-      - run: pip install "$RAPIDSIM"
+      - run: {install}
       - name: Check
         run: {check}
       - name: Findings beside the lines
@@ -78,9 +79,8 @@ _GITLAB = """rapid:
     - if: $CI_COMMIT_BRANCH == $CI_DEFAULT_BRANCH
   variables:
     GIT_DEPTH: 0
-    RAPIDSIM: {requirement}
   before_script:
-    - pip install "$RAPIDSIM"
+    - {install}
   script:
     - {check}
     - {run}
@@ -136,7 +136,7 @@ def ci_text(service: str, paths: Sequence[str]) -> str:
     # A JSON string is a YAML string, whatever characters the names contain.
     quoted = {step: json.dumps(command) for step, command in commands.items()}
     text = _GITHUB if service == GITHUB else _GITLAB
-    return text.format(**quoted, requirement=_REQUIREMENT, page_text=_PAGE, diff_text=diff)
+    return text.format(**quoted, install=json.dumps(_INSTALL), page_text=_PAGE, diff_text=diff)
 
 
 def ignored_lines(repository: Path) -> tuple[str, ...]:

@@ -92,6 +92,21 @@ def archives(tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, Path]:
     return next(folder.glob("*.tar.gz")), next(folder.glob("*.whl"))
 
 
+def test_another_build_is_the_same(archives: tuple[Path, Path], tmp_path: Path) -> None:
+    """Also of files that were fetched at another time, by somebody with other rights."""
+    copy = tmp_path / "clone"
+    git = ("git", "-c", "core.sharedRepository=umask", "clone", "-q", ROOT, copy)
+    assert ran(*git, cwd=tmp_path).returncode == 0
+    changed = ran("git", "diff", "HEAD", "--binary", cwd=ROOT).stdout
+    if changed:
+        (tmp_path / "changed").write_text(changed)
+        assert ran("git", "apply", tmp_path / "changed", cwd=copy).returncode == 0
+    command = (sys.executable, "-m", "build", "--no-isolation", "--outdir", tmp_path / "dist", copy)
+    assert ran(*command, cwd=tmp_path).returncode == 0
+    for one in archives:
+        assert (tmp_path / "dist" / one.name).read_bytes() == one.read_bytes()
+
+
 def made(folder: Path, *options: str) -> Environment:
     subprocess.run([sys.executable, "-m", "venv", *options, str(folder)], check=True)
     return Environment(folder, has_pip=not options)
