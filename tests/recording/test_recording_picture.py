@@ -6,6 +6,8 @@ import importlib.util
 import os
 import shutil
 import sys
+from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
 from types import ModuleType
 
@@ -73,3 +75,33 @@ def test_two_robots_stand_where_they_stand(tmp_path: Path, monkeypatch: pytest.M
     for robot in run.robots:
         tcp = robot.world_from_base @ robot.trajectory.at(np.array([run.time_s])).base_from_tcp
         assert np.abs(shot.world_from_frame[f"{robot.task}/tcp"] - tcp.matrix[0]).max() < 1e-6
+
+
+@pytest.mark.parametrize(("late", "code"), [(0, 0), (2, 0), (3, 2)])
+def test_a_late_viewer_gets_another_try_and_then_a_sentence(
+    late: int,
+    code: int,
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    screenshot = load_script()
+    tries: list[Path] = []
+
+    @contextmanager
+    def viewer(recording: Path) -> Iterator[None]:
+        tries.append(recording)
+        if len(tries) <= late:
+            raise RuntimeError("no answer in 15 s")
+        yield
+
+    monkeypatch.setattr(screenshot, "viewer", viewer)
+    monkeypatch.setattr(screenshot, "vulkan_missing", lambda: None)
+    monkeypatch.setattr(screenshot, "_looked_at", lambda *_: (screenshot.Shot(b"picture", (), {}),))
+    picture = tmp_path / "a.png"
+    monkeypatch.setattr(sys, "argv", ["screenshot.py", "a.rrd", str(picture)])
+    assert screenshot.main() == code
+    assert len(tries) == min(late + 1, 3)
+    assert picture.exists() == (code == 0)
+    said = "no picture: the viewer was late 3 times in a row: no answer in 15 s\n"
+    assert capsys.readouterr().err == (said if code else "")
