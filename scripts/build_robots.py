@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Callable
+from pathlib import Path
 
 import numpy as np
 import shape_axis_row
@@ -67,6 +68,23 @@ def main() -> None:
         urdf = robots_folder() / entry.name / f"{entry.name}.urdf"
         urdf.write_text(urdf_text(entry), encoding="utf-8", newline="\n")
         print(f"{entry.name}: {total / 1000:.0f} kB")
+    share_meshes(robots_folder())
+
+
+def share_meshes(folder: Path) -> None:
+    """Keep equal meshes of a type's variants once, where the first arm has it; others name that."""
+    kept: dict[bytes, Path] = {}
+    for mesh in sorted(folder.glob("*/meshes/*.glb")):
+        first = kept.setdefault(mesh.read_bytes(), mesh)
+        if first == mesh:
+            continue
+        arm = mesh.parent.parent
+        urdf = arm / f"{arm.name}.urdf"
+        text = urdf.read_text(encoding="utf-8")
+        own = f'"{mesh.relative_to(arm).as_posix()}"'
+        shared = f'"../{first.relative_to(folder).as_posix()}"'
+        urdf.write_text(text.replace(own, shared), encoding="utf-8", newline="\n")
+        mesh.unlink()
 
 
 def links(entry: CatalogueEntry) -> dict[str, list[Body]]:

@@ -20,8 +20,10 @@ from rapidsim.extras import EXTRAS
 pytestmark = pytest.mark.packages
 
 ROOT = Path(__file__).parents[2]
-MOST_MB = 160
-"""What an environment with the core takes, pip included."""
+WHEEL_MB, CORE_MB, ALL_MB = 13, 130, 1500
+"""Sizes of the wheel, and of environments with the core and with `all`, pip left out."""
+SOURCES_MB = 100
+"""Size of that with the core before Python compiles anything."""
 PYTHONS = ("3.11", "3.12", "3.13")
 SYSTEMS = {
     "linux": ["manylinux_2_28_x86_64", "manylinux_2_27_x86_64", "manylinux2014_x86_64"],
@@ -155,6 +157,17 @@ def elsewhere(tmp_path: Path) -> Path:
     return folder
 
 
+def size_mb(folder: Path, *, but: str | None = None) -> float:
+    """Size of the files [MB], without pip and those with a suffix."""
+    files = (one for one in folder.rglob("*") if one.is_file() and not one.is_symlink())
+    counted = (one for one in files if "pip" not in one.parts and one.suffix != but)
+    return sum(one.stat().st_size for one in counted) / 1e6
+
+
+def test_the_wheel_is_small(archives: tuple[Path, Path]) -> None:
+    assert archives[1].stat().st_size / 1e6 < WHEEL_MB
+
+
 def extra(wheel: Path, name: str) -> str:
     return f"rapidsim[{name}] @ {wheel.as_uri()}"
 
@@ -174,8 +187,8 @@ NEEDS = {
 def test_the_core_is_small_and_does_all_but_what_it_says(
     core: Environment, elsewhere: Path
 ) -> None:
-    taken = sum(f.stat().st_size for f in core.folder.rglob("*") if f.is_file())
-    assert taken / 1e6 < MOST_MB
+    assert size_mb(core.folder) < CORE_MB
+    assert size_mb(core.folder, but=".pyc") < SOURCES_MB
     for arguments in (
         ("check", "circle.mod", "--robot", "irb1600"),
         ("run", "circle.mod", "--report", "x.html", "--trace", "x.csv", "--events", "x.jsonl"),
@@ -232,6 +245,7 @@ def test_the_first_command_of_the_readme_ends_in_a_recording(
     ended = environment.run("rapidsim", *arguments, cwd=elsewhere)
     assert ended.returncode == 0, ended.stderr
     assert (elsewhere / "pentagon.rrd").stat().st_size > 10_000
+    assert size_mb(environment.folder) < ALL_MB
 
 
 def test_the_source_archive_installs(

@@ -8,6 +8,7 @@ outermost corners.
 from __future__ import annotations
 
 import json
+import re
 from collections.abc import Iterator
 from functools import cache
 from itertools import chain
@@ -158,14 +159,12 @@ def _catalogue_shapes(robot: Robot, link_count: int) -> Iterator[tuple[int, str,
     folder = shipped("robots").resolve()
     if robot.urdf is None or folder not in robot.urdf.resolve().parents:
         return
-    meshes = robot.urdf.parent / "meshes"
-    files = [
-        meshes / "base_link.glb",
-        *(meshes / f"link_{k}.glb" for k in range(1, link_count + 1)),
-    ]
-    for k, file in enumerate(files):
-        for body in _read(file):
-            yield k, *body
+    text = robot.urdf.read_text(encoding="utf-8")
+    names = dict(re.findall(r'<link name="(\w+)">\s*<visual>.*filename="([^"]+)"', text))
+    for k, link in enumerate(("base_link", *(f"link_{k}" for k in range(1, link_count + 1)))):
+        if link in names:
+            for body in _read(robot.urdf.parent / names[link]):
+                yield k, *body
 
 
 @cache
@@ -180,8 +179,6 @@ def _directions() -> Array:
 
 def _read(file: Path) -> list[tuple[str, Array]]:
     """Colour and corners (k, 3) [m] of each body of a glTF file that `scripts/` made."""
-    if not file.is_file():
-        return []
     data = file.read_bytes()
     length = int.from_bytes(data[12:16], "little")
     head, numbers = json.loads(data[20 : 20 + length]), data[28 + length :]
