@@ -128,7 +128,7 @@ STATED = (
         pages=(
             (
                 "README.md",
-                "| installed size of the core, which checks and runs | 94 MB, with compiled files 125 |",
+                "| installed size of the core, which checks and runs | 94 MB, with",
             ),
             ("docs/install.md", "The core takes 94 MB"),
         ),
