@@ -9,7 +9,7 @@ from rapidsim.controller.journal.events import Wait
 from rapidsim.controller.moves.executed_move import ExecutedMove
 from rapidsim.simulation.results.regions import by_comment
 from rapidsim.simulation.results.simulation import Simulation
-from rapidsim.simulation.results.slow_sections import slow_sections
+from rapidsim.simulation.results.slow_sections import slow_lines, slow_sections
 
 PROGRAM = """MODULE parts
   CONST robtarget p:=[[700,-200,700],[0,0,1,0],[-1,0,-1,0],[9E9,9E9,9E9,9E9,9E9,9E9]];
@@ -55,6 +55,26 @@ def test_a_stretch_names_lines_time_and_limit(run: Simulation) -> None:
     assert stitches[0].moves == 20
     assert "torque of axis" in stitches[0].limit
     assert stitches[0].reached_mm_s < 300.0 < stitches[0].programmed_mm_s
+
+
+def test_the_passes_of_a_loop_are_one_row(tmp_path: Path) -> None:
+    program = tmp_path / "loop.mod"
+    passes = "FOR i FROM 1 TO 4 DO\n"
+    program.write_text(
+        PROGRAM.replace("PROC main()\n", "PROC main()\n" + passes, 1).replace(
+            "ENDPROC", "ENDFOR\nENDPROC", 1
+        )
+    )
+    run = rapidsim.simulate([program], robot="irb1600")
+    sections, lines = slow_sections(run), slow_lines(run)
+    assert len(lines) < len(sections)
+    keys = [(one.first.place.span.line, one.last.place.span.line, one.limit) for one in sections]
+    assert len(lines) == len(set(keys))
+    for of in ("seconds", "lost_s", "moves"):
+        both = [sum(getattr(one, of) for one in found) for found in (sections, lines)]
+        assert both[0] == pytest.approx(both[1])
+    assert [one.lost_s for one in lines] == sorted((one.lost_s for one in lines), reverse=True)
+    assert max(one.programmed_mm_s for one in lines) >= max(one.reached_mm_s for one in lines)
 
 
 def test_where_the_speed_is_reached_only_ramps_are_lost(run: Simulation) -> None:

@@ -21,7 +21,7 @@ from rapidsim.simulation.results.active_limits import limits_of_moves, most_freq
 from rapidsim.simulation.results.curve_deviations import CurveDeviation, all_curve_deviations
 from rapidsim.simulation.results.regions import Region, by_comment
 from rapidsim.simulation.results.simulation import Simulation
-from rapidsim.simulation.results.slow_sections import slow_sections
+from rapidsim.simulation.results.slow_sections import slow_lines
 from rapidsim.simulation.results.time_shares import Share, Step, by_line, by_routine
 from rapidsim.simulation.results.verdict import Level, run_verdict
 
@@ -181,14 +181,14 @@ def cycle_time(simulation: Simulation) -> str:
 
 
 def _slow_sections(simulation: Simulation) -> str:
-    """Slow sections: lines below the programmed speed, and the nearest limit there."""
-    found = slow_sections(simulation)
+    """Slow sections: lines below the programmed speed, with the limit there."""
+    found = slow_lines(simulation)
     if not found:
         return ""
     rows = [
         (
-            text(lines_of(one)),
-            text(one.limit),
+            text(lines_of(one.sections[0])),
+            text(one.sections[0].limit),
             str(one.moves),
             f"{one.programmed_mm_s:.0f}",
             f"{one.reached_mm_s:.0f}",

@@ -13,7 +13,7 @@ from rapidsim.report.findings.source_frame import printable
 from rapidsim.report.untruncated_table import UntruncatedTable
 from rapidsim.simulation.results.regions import Region, by_comment
 from rapidsim.simulation.results.simulation import Simulation
-from rapidsim.simulation.results.slow_sections import SlowSection, slow_sections
+from rapidsim.simulation.results.slow_sections import SlowSection, slow_lines
 from rapidsim.values import value_class
 
 MANY_MOVES = 1000
@@ -26,19 +26,19 @@ def long_program_text(simulation: Simulation) -> RenderableType | None:
     """The most expensive sections; None for a program whose lines can be listed."""
     if len(simulation.moves) < MANY_MOVES:
         return None
-    stretches = slow_sections(simulation)
+    stretches = slow_lines(simulation)
     regions = by_comment(simulation.moves, simulation.waits)
     parts: list[RenderableType] = []
     if stretches:
         table = _table("below speed", ">time", ">lost", ">mm/s", ">of", "limited by")
         for one in stretches[:_SHOWN]:
             table.add_row(
-                lines_of(one),
+                lines_of(one.sections[0]),
                 f"{one.seconds:.3f} s",
                 f"{one.lost_s:.3f} s",
                 f"{one.reached_mm_s:.0f}",
                 f"{one.programmed_mm_s:.0f}",
-                one.limit,
+                one.sections[0].limit,
             )
         parts.append(table)
     if len(regions) > 1:

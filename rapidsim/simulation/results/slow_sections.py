@@ -56,17 +56,64 @@ class SlowSection:
         return self.end_s - self.start_s
 
 
+@value_class(frozen=True, slots=True)
+class SlowLines:
+    """Sections of the same lines with the same limit, as of a loop."""
+
+    sections: tuple[SlowSection, ...]
+
+    @property
+    def seconds(self) -> float:
+        """Duration [s] of all."""
+        return sum(one.seconds for one in self.sections)
+
+    @property
+    def lost_s(self) -> float:
+        """Time that would be saved at the programmed speed."""
+        return sum(one.lost_s for one in self.sections)
+
+    @property
+    def moves(self) -> int:
+        """Number of moves in all."""
+        return sum(one.moves for one in self.sections)
+
+    @property
+    def programmed_mm_s(self) -> float:
+        """Highest programmed speed."""
+        return max(one.programmed_mm_s for one in self.sections)
+
+    @property
+    def reached_mm_s(self) -> float:
+        """Mean speed."""
+        return sum(one.reached_mm_s * one.seconds for one in self.sections) / self.seconds
+
+
 def slow_sections(simulation: Simulation) -> tuple[SlowSection, ...]:
     """Return the slow sections of all robots, those with the largest loss of time first."""
+    return tuple(_all_sections(simulation)[:_MOST])
+
+
+def slow_lines(simulation: Simulation) -> tuple[SlowLines, ...]:
+    """Return the slow sections by lines and limit, the largest loss of time first."""
+    found: dict[object, list[SlowSection]] = {}
+    for one in _all_sections(simulation):
+        ends = (one.first.place.span, one.last.place.span)
+        lines = tuple((span.file, span.line) for span in ends)
+        found.setdefault((one.task, lines, one.limit), []).append(one)
+    merged = [SlowLines(tuple(sections)) for sections in found.values()]
+    return tuple(sorted(merged, key=lambda one: -one.lost_s))
+
+
+def _all_sections(simulation: Simulation) -> list[SlowSection]:
     if not np.isfinite(simulation.motion_end_s):
-        return ()
+        return []
     found = [
         stretch
         for number, one in enumerate(simulation.robots)
         if one.moves
         for stretch in _of_robot(simulation, one, simulation.move_offsets[number])
     ]
-    return tuple(sorted(found, key=lambda one: (-one.lost_s, one.start_s, one.task))[:_MOST])
+    return sorted(found, key=lambda one: (-one.lost_s, one.start_s, one.task))
 
 
 def _of_robot(simulation: Simulation, robot_run: RobotRun, offset: int) -> Iterator[SlowSection]:
