@@ -58,6 +58,13 @@ class CollisionNotRun(Violation, code="C104"):
     """Suggested remedy; empty without one."""
 
 
+def time_of_contact_s(finding: Diagnostic) -> float | None:
+    """When a finding about bodies in a run holds; None for other findings."""
+    found = finding.violation
+    timed = (Collision, LowClearance, LeftInTheAir, NothingGripped, PlaceOccupied)
+    return found.time_s if isinstance(found, timed) else None
+
+
 def is_of_parts(finding: Diagnostic) -> bool:
     """Whether a finding depends on all that has happened to a part of the cell before."""
     return isinstance(finding.violation, (LeftInTheAir, NothingGripped, PlaceOccupied))

@@ -12,6 +12,7 @@ from recording_read import SIMULATION, failed_run, rows, texts
 
 from rapidsim.diagnostics import Diagnostic
 from rapidsim.files import InputError
+from rapidsim.findings.collisions import Collision
 from rapidsim.findings.runs import UncaughtError
 from rapidsim.frames.transform import Array
 from rapidsim.motion.trajectory.samples import Samples
@@ -28,6 +29,17 @@ def test_an_error_is_marked_where_the_robot_stopped(tmp_path: Path) -> None:
     )
     path = record(stopped, tmp_path / "stopped.rrd")
     assert texts(path, "/stopped/name", "Points3D:labels") == ["stopped: R101 uncaught-error"]
+
+
+def test_a_collision_stands_in_the_log_at_its_own_time(tmp_path: Path) -> None:
+    line = SIMULATION.only.lines[0]
+    hit = Collision("link 3", "post", 1.25, deep="", also="")
+    found = Diagnostic(hit, line.place.span)
+    assert line.time_s < hit.time_s < SIMULATION.time_s
+    path = record(replace(SIMULATION, diagnostics=(found,)), tmp_path / "hit.rrd")
+    ((time_s, row),) = rows(path, "/log/findings")
+    assert time_s == pytest.approx(1.25)
+    assert "C101" in row["TextLog:text"][0]
 
 
 def test_what_the_arm_cannot_do_is_red_where_it_is_and_says_why(tmp_path: Path) -> None:

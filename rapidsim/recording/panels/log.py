@@ -8,6 +8,7 @@ import rerun as rr
 
 from rapidsim.controller.journal.events import Event, EventKind, ExecutedLine
 from rapidsim.diagnostics import Diagnostic, Severity
+from rapidsim.findings.collisions import time_of_contact_s
 from rapidsim.language.error_answers import ErrorOutcome
 from rapidsim.language.moves import Place
 from rapidsim.recording.samples import RecordedRobot
@@ -81,7 +82,7 @@ def _place_text(place: Place) -> str:
 
 
 def _finding_rows(run: RecordedRobot) -> Iterator[_Row]:
-    """Yield findings at the time when the program first reached their line, else at the end."""
+    """Yield findings at their time, or when the program first reached their line, or at the end."""
     first: dict[tuple[str, int], float] = {}
     for line in sorted(_lines(run.sampled.simulation), key=lambda line: line.time_s):
         span = line.place.span
@@ -102,6 +103,9 @@ def _lines(simulation: Simulation) -> Iterator[ExecutedLine]:
 def _finding_time_s(
     finding: Diagnostic, first: dict[tuple[str, int], float], simulation: Simulation
 ) -> float:
+    contact_s = time_of_contact_s(finding)
+    if contact_s is not None:
+        return contact_s
     if finding.span is None:
         return 0.0
     return first.get((finding.span.file, finding.span.line), simulation.time_s)
