@@ -325,8 +325,8 @@ def assumptions(simulation: Simulation) -> str:
 
 
 def _rounded(value: object) -> object:
-    """A number with four digits, as people write it; other values unchanged."""
-    return f"{value:.4g}" if isinstance(value, float) else value
+    """Seconds to milliseconds, as people write them; other values unchanged."""
+    return f"{value:.3f}" if isinstance(value, float) else value
 
 
 def _sensitivity(figures: Figures) -> str:

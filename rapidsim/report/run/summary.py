@@ -417,8 +417,8 @@ def _models(simulation: Simulation, figures: Figures) -> Text:
     return Text(
         f"Models: motion model {behind.motion}{real}; {speeds}"
         f"{behind.acceleration}{load}; corner shape {behind.corner}; "
-        f"{smoothed} smoothed over {behind.filter_time_s:.4g} s{ramps}; "
-        f"dwell {behind.fine_dwell_s:.4g} s at fine points; "
+        f"{smoothed} smoothed over {behind.filter_time_s:.3f} s{ramps}; "
+        f"dwell {behind.fine_dwell_s:.3f} s at fine points; "
         f"the program pointer {behind.program_pointer}.{left_out}"
         f"{f' The run takes {others}.' if others else ''}",
         "dim",
