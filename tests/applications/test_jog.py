@@ -11,6 +11,7 @@ import aiohttp
 import numpy as np
 import pytest
 from browser import CHROMIUM, opened
+from command_line import call
 
 from rapidsim.applications.jog.jog_answers import JogAnswers
 from rapidsim.applications.jog.jog_cell import JogCell, bare_cell, cell_of
@@ -66,7 +67,9 @@ def fields(joints: list[float], tool: str = "tool0", wobj: str = "wobj0") -> dic
     return {"joints": ",".join(map(str, joints)), "tool": tool, "wobj": wobj}
 
 
-@pytest.mark.parametrize("name", ["rv-m1", "kr10-r1100-sixx", "irb120", "irb910sc", "yumi"])
+@pytest.mark.parametrize(
+    "name", ["rv-m1", "kr10-r1100-sixx", "irb120", "irb910sc", "irb660", "yumi"]
+)
 def test_every_kind_of_arm_stands_and_steps_along_its_frames(name: str) -> None:
     answers = JogAnswers(bare_cell(load_robot(name)))
     start: Any = answers.start({})
@@ -81,6 +84,20 @@ def test_every_kind_of_arm_stands_and_steps_along_its_frames(name: str) -> None:
     moved: Any = answers.move({**here, "frame": "base", "axis": "3", "by": "-5"})
     then: Any = answers.standing(fields(moved["joints"]))
     assert np.allclose(np.subtract(then["trans"], stands["trans"]), [0, 0, -5], atol=1e-2)
+
+
+def test_an_arm_without_known_speeds_stands_in_a_cell_too(tmp_path: Path) -> None:
+    (tmp_path / "job.mod").write_text("MODULE Job\nPROC main()\nENDPROC\nENDMODULE\n")
+    cell = cell_of(RunRequest(paths=(str(tmp_path),), robot="rv-m1", home=str(tmp_path)))
+    assert len(cell.start) == 5
+
+
+def test_a_program_with_errors_or_standard_input_is_not_jogged(tmp_path: Path) -> None:
+    (tmp_path / "job.mod").write_text("MODULE Job\nPROC main()\n  x := 1;\nENDPROC\nENDMODULE\n")
+    rejected = call("jog", "job.mod", cwd=tmp_path)
+    assert (rejected.code, rejected.out) == (1, "")
+    assert "N201" in rejected.err
+    assert "standard input" in call("jog", "-", cwd=tmp_path).err
 
 
 def test_the_robtarget_is_that_of_tool_and_work_object_and_is_reached_again(cell: JogCell) -> None:

@@ -55,13 +55,14 @@ def jog(options: JogOptions) -> int:
     """
     require("aiohttp", "rapidsim jog")
     from rapidsim.applications.jog.jog_page import jog_page, page_key
+    from rapidsim.cli.tools.run_output import print_rejected_on_stderr
     from rapidsim.jobs.running.run_files import ProgramRejectedError
     from rapidsim.server.http.local_page import serve_page
 
     try:
         cell = _cell(options)
     except ProgramRejectedError as rejected:
-        echo(f"error: {rejected}", err=True)
+        print_rejected_on_stderr(_request(options), rejected.diagnostics)
         return ExitCode.FINDINGS
     for remark in () if current_terminal().quiet else cell.remarks:
         echo(f"note: {remark}", err=True)
@@ -83,13 +84,15 @@ def _cell(options: JogOptions) -> JogCell:
         raise InputError("jog reads no program from standard input", "name a file or a folder")
     if not options.paths:
         return bare_cell(open_robot(options.robot or DEFAULT_ROBOT))
-    return cell_of(
-        RunRequest(
-            paths=options.paths,
-            robot=options.robot,
-            station=options.station,
-            task=options.task,
-            may_be_empty=True,
-            assume_missing=True,
-        )
+    return cell_of(_request(options))
+
+
+def _request(options: JogOptions) -> RunRequest:
+    return RunRequest(
+        paths=options.paths,
+        robot=options.robot,
+        station=options.station,
+        task=options.task,
+        may_be_empty=True,
+        assume_missing=True,
     )

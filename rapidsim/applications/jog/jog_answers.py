@@ -7,6 +7,7 @@ where the arm is.
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from functools import cached_property
 from typing import Final, TypeVar
 
 import numpy as np
@@ -25,13 +26,14 @@ from rapidsim.motion.configurations.jog_steps import JogArm, JogFrame
 from rapidsim.motion.configurations.pose_solutions import solve_pose
 from rapidsim.motion.configurations.singularities import differential
 from rapidsim.report.html.arm_shapes import arm_data, connected_bodies, outermost
-from rapidsim.values import value_class
 
 _MM: Final = 1e3
 _NEAR_M: Final = 0.1
 """Distance [m] of bodies up to which it is shown."""
 _PLACES: Final = 13
 """Places of a step at which contacts are looked for."""
+_ARM: Final = "#f0781e"
+"""Colour of the links of an arm that has no picture of its own."""
 _PLAIN: Final = "#96a0ae"
 """Colour of other arms."""
 _SAME_RAD: Final = 1e-4
@@ -40,11 +42,12 @@ T = TypeVar("T")
 Fields = Mapping[str, str]
 
 
-@value_class(frozen=True, slots=True, eq=False)
 class JogAnswers:
     """Answers about one cell."""
 
-    cell: JogCell
+    def __init__(self, cell: JogCell) -> None:
+        """Answer about a cell."""
+        self.cell = cell
 
     def start(self, fields: Fields) -> dict[str, object]:
         """Return what does not change: the arm, its picture, the objects and frames of its cell."""
@@ -53,7 +56,7 @@ class JogAnswers:
         scene = cell.contacts.scene
         return {
             "title": cell.robot.title,
-            "arm": arm_data(cell.robot),
+            "arm": self._drawn_arm or self._undrawn_arm(),
             "joints": _degrees(cell.start),
             "limits": [_degrees(row) for row in _sliders(cell)],
             "measures": [joint.measure for joint in cell.robot.joints],
@@ -64,7 +67,7 @@ class JogAnswers:
             "objects": [
                 {
                     "name": scene.bodies[at].label.name.strip("`"),
-                    "colour": cell.colours.get(at, _PLAIN),
+                    "colour": self._colour(at),
                     "parts": [
                         outermost(part)
                         for part in connected_bodies(
@@ -180,16 +183,34 @@ class JogAnswers:
             case JogFrame.WOBJ:
                 return targets.base_from_object(wobj, self.cell.base_from_world)
 
-    @property
-    def _drawn_bodies(self) -> list[int]:
-        """Indices of the bodies that are no links of the arm."""
+    @cached_property
+    def _drawn_arm(self) -> dict[str, object] | None:
+        return arm_data(self.cell.robot)
+
+    def _undrawn_arm(self) -> dict[str, object]:
+        """Return the size [mm] of an arm whose links are drawn as the other bodies are."""
+        reach = self.cell.robot.reach_m or float(
+            np.linalg.norm(self.cell.robot.forward(self.cell.start).translation)
+        )
+        return {"links": [], "bodies": [], "limits": [], "reach": _MM * reach}
+
+    @cached_property
+    def _drawn_bodies(self) -> tuple[int, ...]:
+        """Indices of the bodies that do not come with the picture of the arm."""
         scene = self.cell.contacts.scene
-        links = {
+        return tuple(
             at
             for at, body in enumerate(scene.bodies)
-            if body.label.robot == 0 and not body.label.name.startswith("`")
-        }
-        return [at for at, body in enumerate(scene.bodies) if at not in links and body.exists(0.0)]
+            if body.exists(0.0) and (self._drawn_arm is None or not self._is_own(at))
+        )
+
+    def _is_own(self, at: int) -> bool:
+        """Whether a body is a link of the arm."""
+        body = self.cell.contacts.scene.bodies[at]
+        return body.label.robot == 0 and at not in self.cell.colours
+
+    def _colour(self, at: int) -> str:
+        return self.cell.colours.get(at, _ARM if self._is_own(at) else _PLAIN)
 
     def _places(self, joints: Array) -> list[dict[str, object]]:
         """Return where the drawn bodies stand in the base of the arm [mm]."""

@@ -25,9 +25,12 @@ from rapidsim.simulation.cell_scene import cell_scene
 from rapidsim.simulation.live.controller import LiveController
 from rapidsim.simulation.live.live_task import LiveTask
 from rapidsim.simulation.live.symbols import all_data, value_of
+from rapidsim.simulation.task_run import TaskSetup
 from rapidsim.values import value_class
 
 _PLAIN_TOOL, _PLAIN_OBJECT = "tool0", "wobj0"
+_ANY_SPEED: Final = 1.0
+"""[rad/s]"""
 _NO_AXES: Final = np.zeros(0)
 T = TypeVar("T", bound=tuple[object, ...])
 
@@ -81,7 +84,7 @@ def cell_of(request: RunRequest) -> JogCell:
 
 def _switched_on(checked: LoadedJob, run: PreparedRun) -> JogCell:
     options = replace(run.options, answers=None, network=None, geometry=None)
-    live = LiveController(run.setups, options, keeps_all=True)
+    live = LiveController([*map(_with_speeds, run.setups)], options, keeps_all=True)
     task, robot = _mover(live)
     standing = task.unit.member.standing()
     tools = {_PLAIN_TOOL: TOOL0} | {
@@ -114,6 +117,17 @@ def _switched_on(checked: LoadedJob, run: PreparedRun) -> JogCell:
         files,
         remarks,
     )
+
+
+def _with_speeds(setup: TaskSetup) -> TaskSetup:
+    """Return a setup whose arm has speeds of all axes, on which no answer depends."""
+    if setup.robot is None:
+        return setup
+    joints = tuple(
+        replace(one, max_speed=_ANY_SPEED) if one.max_speed is None else one
+        for one in setup.robot.joints
+    )
+    return replace(setup, robot=replace(setup.robot, joints=joints))
 
 
 def _mover(live: LiveController) -> tuple[LiveTask, Robot]:

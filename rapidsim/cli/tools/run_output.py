@@ -4,16 +4,18 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Callable, Iterator, Sequence
-from contextlib import contextmanager
+from contextlib import contextmanager, redirect_stdout
 from typing import TYPE_CHECKING, Any
 
 from rapidsim.cli.options.outputs import VALUES
-from rapidsim.cli.terminal import Terminal, echo, print_json
+from rapidsim.cli.terminal import Terminal, current_terminal, echo, print_json
 from rapidsim.cli.tools.findings_text import findings_text
 from rapidsim.diagnostics import Diagnostic, Severity
+from rapidsim.jobs.inputs.job import job
 from rapidsim.jobs.inputs.robot_choice import RobotChoice
+from rapidsim.jobs.inputs.run_request import RunRequest
 from rapidsim.jobs.inputs.task_files import missing_neighbours
-from rapidsim.jobs.running.run_files import LoadedJob
+from rapidsim.jobs.running.run_files import LoadedJob, loaded
 from rapidsim.json_records.encoding import json_of
 from rapidsim.report.findings.merging import errors_first, merged
 from rapidsim.report.findings.source_frame import printable
@@ -48,6 +50,12 @@ def print_rejected(
             echo(summary_line(merged(findings), files=len(files), seconds=None))
             if hint := missing_neighbours(loaded.job.request.paths, findings):
                 echo(hint)
+
+
+def print_rejected_on_stderr(request: RunRequest, findings: Sequence[Diagnostic]) -> None:
+    """Say why a program is not loaded; stdout is for who starts a server."""
+    with redirect_stdout(sys.stderr):
+        print_rejected(loaded(job(request)), findings, "table", current_terminal())
 
 
 @value_class(frozen=True, slots=True)

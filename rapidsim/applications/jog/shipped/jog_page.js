@@ -55,7 +55,7 @@ function moveTo(values, touched = []) {
 function show(stands) {
   const touching = new Set([...stands.contacts, ...passed].filter((one) => !one.distance).flatMap((one) => [one.first, one.second]).map((one) => one.replaceAll("`", "")));
   const objects = cell.objects.map((one, k) => ({ ...one, ...stands.objects[k], colour: touching.has(one.name) ? "#d33a2c" : one.colour }));
-  if (picture) picture.show(joints, objects, stands.tip);
+  picture.show(joints, objects, stands.tip);
   $("pose").textContent = `${$("tool").value} in ${$("wobj").value}: ${stands.trans.map((one) => one.toFixed(1)).join(", ")} mm · [${stands.rot.map((one) => one.toFixed(4)).join(", ")}] · conf [${stands.configuration.join(", ")}]`;
   cell.sliders.forEach(({ row }, k) => {
     const room = Math.min(...stands.room[k].map((one) => one ?? Infinity));
@@ -140,8 +140,7 @@ async function begin() {
   $("remarks").textContent = cell.remarks.join("; ");
   cell.sliders = cell.limits.map((_, k) => makeSlider(k));
   $("sliders").replaceChildren(...cell.sliders.map((one) => one.row));
-  $("arm").hidden = !cell.arm;
-  if (cell.arm) picture = armPicture($("arm"), cell.arm);
+  picture = armPicture($("arm"), cell.arm);
   panel = jogPanel($("jog"), {
     read: (chosen) => ask("steps", { ...posture(), ...chosen }),
     move: async (step) => {

@@ -9,7 +9,7 @@ const GRID_MM = 500;
 // objects (`parts` at `turn` and `place` in base) and the TCP [mm] if it is not the flange.
 function armPicture(canvas, arm) {
   const base = { turn: [1, 0, 0, 0, 1, 0, 0, 0, 1], place: [0, 0, 0] };
-  const reach = Math.max(300, arm.links.reduce((sum, link) => sum + Math.hypot(...link.place), 0));
+  const reach = arm.reach || Math.max(300, arm.links.reduce((sum, link) => sum + Math.hypot(...link.place), 0));
   let shown = arm.limits.map(() => 0), objects = [], tip = null;
 
   function draw() {
