@@ -23,6 +23,7 @@ from rapidsim.report.findings.text import summary_line
 from rapidsim.report.run.figures import Figures
 from rapidsim.report.run.json_report import RunFiles, rejected_report, run_json
 from rapidsim.report.run.summary import ASCII_BARS, BLOCK_BARS, OutputFile, summary
+from rapidsim.report.run.timings import RunTimings
 from rapidsim.report.run.verdicts import Verdicts
 from rapidsim.simulation.results.simulation import Simulation
 from rapidsim.simulation.results.verdict import Verdict
@@ -67,6 +68,7 @@ class RunDone:
     """Computed at first use."""
     judgement: Verdicts
     profile: RunProfile | None
+    timings: RunTimings | None = None
 
     @property
     def verdict(self) -> Verdict:
@@ -85,7 +87,8 @@ def print_run(
     findings = done.simulation.diagnostics
     if output_format == "json":
         files = _json_files(written)
-        print_json(run_json(done.simulation, done.figures(), findings, files, done.judgement))
+        figures, judgement = done.figures(), done.judgement
+        print_json(run_json(done.simulation, figures, findings, files, judgement, done.timings))
     elif output_format == "table":
         _print_findings(findings, terminal)
         if not terminal.quiet:
@@ -131,6 +134,8 @@ def _print_summary(
             bars=ASCII_BARS if plain else BLOCK_BARS,
         )
     )
+    if done.timings is not None:
+        echo(done.timings.text)
     if done.profile:
         from rapidsim.cli.tools.profiler import costs_table
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
+from time import process_time
 
 from rapidsim.controller.moves.queued_move import MotionError, QueuedMove
 from rapidsim.controller.queue.member import Member
@@ -52,6 +53,7 @@ class PathPlanner:
         self.check_deadline = check_deadline
         self._model = lead.model
         self._robots = [one.robot for one in members]
+        self._costs = lead.costs
         self._repeats = lead.repeats if len(members) == 1 else PlanCache()
 
     def plan(
@@ -76,7 +78,10 @@ class PathPlanner:
                 own[lost_corner] = replace(own[lost_corner], zone=None)
 
         def make_plan() -> tuple[Path, TimeScaling]:
+            began_s = process_time()
             path = self._path(rows, segments)
+            solved_s = process_time()
+            self._costs.solving_s += solved_s - began_s
             timing = plan(
                 path,
                 self.limits,
@@ -85,6 +90,7 @@ class PathPlanner:
                 spent_s=start.spent_s,
                 check_deadline=self.check_deadline,
             )
+            self._costs.planning_s += process_time() - solved_s
             return path, timing
 
         if lost_corner is not None:
