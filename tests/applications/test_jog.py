@@ -10,7 +10,7 @@ from typing import Any
 import aiohttp
 import numpy as np
 import pytest
-from browser import CHROMIUM, opened
+from browser import CHROMIUM, Page, opened
 from command_line import call
 
 from rapidsim.applications.jog.jog_answers import JogAnswers
@@ -220,6 +220,21 @@ def test_only_who_knows_the_key_comes_in_and_only_post_writes(
     use_page(jog_page(cell), use)
 
 
+async def tap(page: Page, key: str) -> None:
+    """Touch a button, which moves the arm."""
+    before = await page.value("joints.join()")
+    await page.call("Emulation.setTouchEmulationEnabled", enabled=True)
+    await page.value(f"{key}.scrollIntoView({{ block: 'center' }})")
+    place = await page.value(
+        f"(() => {{ const box = {key}.getBoundingClientRect();"
+        " return { x: box.x + box.width / 2, y: box.y + box.height / 2 }; })()"
+    )
+    await page.call("Input.dispatchTouchEvent", type="touchStart", touchPoints=[place])
+    await page.call("Input.dispatchTouchEvent", type="touchEnd", touchPoints=[])
+    await page.until(f"joints.join() !== '{before}'")
+    await page.call("Emulation.setTouchEmulationEnabled", enabled=False)
+
+
 @pytest.mark.process
 @pytest.mark.screen
 @pytest.mark.skipif(CHROMIUM is None, reason="no browser is here")
@@ -260,6 +275,8 @@ def test_a_browser_moves_the_arm_by_slider_step_branch_and_key_and_teaches(tmp_p
                     "RIGHT", "(one) => one.getBoundingClientRect().right"
                 )
                 assert await page.value(f"Math.max(...{rights})") <= width
+                if name == "phone":
+                    await tap(page, key)
             other = "[...document.querySelectorAll('#branches button:not(.here)')]"
             await page.value(f"{other}.find((one) => !one.disabled).click()")
             await page.until("document.querySelector('#branches .here')")

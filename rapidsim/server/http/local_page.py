@@ -107,17 +107,17 @@ async def _answered(page: LocalPage, request: web.Request, name: str) -> web.Res
     if request.method == "GET" and name in page.files:
         body, kind = page.files[name]
         return web.Response(body=body, content_type=kind, charset="utf-8", headers=HEADERS)
-    if request.method == "GET" and name in page.reads:
-        return await _computed(page.reads[name], dict(request.query))
-    if request.method == "POST" and name in page.changes:
-        return await _computed(page.changes[name], await read_form(request))
+    try:
+        if request.method == "GET" and name in page.reads:
+            return _json(await asyncio.to_thread(page.reads[name], dict(request.query)))
+        if request.method == "POST" and name in page.changes:
+            # One after the other, for each reads what the one before has written.
+            return _json(page.changes[name](await read_form(request)))
+    except InputError as refusal:
+        return web.Response(status=400, text=str(refusal), headers=HEADERS)
     return web.Response(status=404, text="there is no such page\n", headers=HEADERS)
 
 
-async def _computed(answer: Answering, fields: Mapping[str, str]) -> web.Response:
-    try:
-        found = await asyncio.to_thread(answer, fields)
-    except InputError as refusal:
-        return web.Response(status=400, text=str(refusal), headers=HEADERS)
+def _json(found: object) -> web.Response:
     body = json.dumps(found, ensure_ascii=False, allow_nan=False)
     return web.Response(text=body, content_type="application/json", headers=HEADERS)
