@@ -18,11 +18,15 @@ from rapidsim.applications.jog.jog_cell import JogCell, bare_cell, cell_of
 from rapidsim.applications.jog.jog_page import jog_page
 from rapidsim.applications.jog.taught_targets import TaughtModules
 from rapidsim.files import InputError, SourceFile
+from rapidsim.jobs.inputs.job import job
 from rapidsim.jobs.inputs.run_request import RunRequest
+from rapidsim.jobs.running.run_files import loaded, prepared
 from rapidsim.motion.robot.robot import load_robot
 from rapidsim.server.http.connections import Connections
 from rapidsim.server.http.local_page import LocalPage, application
 from rapidsim.server.http.open_port import listen
+from rapidsim.simulation.live import position
+from rapidsim.simulation.live.controller import LiveController
 
 MODULE = """MODULE Job
   PERS tooldata tPin := [TRUE,[[0,0,120],[1,0,0,0]],[1,[0,0,50],[1,0,0,0],0,0,0]];
@@ -117,6 +121,24 @@ def test_the_robtarget_is_that_of_tool_and_work_object_and_is_reached_again(cell
         again: Any = answers.standing(fields(one["joints"]))
         assert np.allclose(again["trans"], bare["trans"], atol=0.01)
         assert again["configuration"] == one["confdata"]
+
+
+def test_an_arm_on_a_track_stands_where_its_controller_says(tmp_path: Path) -> None:
+    (tmp_path / "job.mod").write_text(MODULE)
+    (tmp_path / "rapidsim.toml").write_text(
+        "[robot]\nmodel = 'irb1600-6-1.2'\nbase = { position = [100, 50, 400] }\n"
+        "[[external_axis]]\nname = 'TRACK'\naxis = 'a'\nkind = 'linear'\ncarries = 'robot'\n"
+        "limits = [500, 3000]\nspeed = 1000\nacceleration = 2000\n"
+    )
+    request = RunRequest(paths=(str(tmp_path),), home=str(tmp_path))
+    answers, run = JogAnswers(cell_of(request)), prepared(loaded(job(request)))
+    (task,) = LiveController(run.setups, run.options).tasks.values()
+    start: Any = answers.start({})
+    stands: Any = answers.standing(fields(start["joints"], "tPin", "wBench"))
+    there = position.target(task, "tPin", "wBench", position.Coordinates.WOBJ)
+    assert np.allclose(stands["trans"], there.trans, atol=1e-4)
+    assert np.allclose(stands["rot"], there.rot, atol=1e-7)
+    assert stands["robtarget"].endswith("[500,9E+09,9E+09,9E+09,9E+09,9E+09]]")
 
 
 def test_bodies_that_touch_are_named_also_those_passed_by_a_step(cell: JogCell) -> None:
