@@ -233,8 +233,8 @@ def _sliders(cell: JogCell) -> Array:
     return limits
 
 
-def _nearness(one: Nearness) -> dict[str, object]:
-    return {"first": one.first, "second": one.second, "distance": round(_MM * one.distance_m, 2)}
+def _nearness(pair: Nearness) -> dict[str, object]:
+    return {"first": pair.first, "second": pair.second, "distance": round(_MM * pair.distance_m, 2)}
 
 
 def _degrees(joints: Array) -> list[float]:
