@@ -233,12 +233,8 @@ def _sliders(cell: JogCell) -> Array:
     return limits
 
 
-def _nearness(nearness: Nearness) -> dict[str, object]:
-    return {
-        "first": nearness.first,
-        "second": nearness.second,
-        "distance": round(_MM * nearness.distance_m, 2),
-    }
+def _nearness(pair: Nearness) -> dict[str, object]:
+    return {"first": pair.first, "second": pair.second, "distance": round(_MM * pair.distance_m, 2)}
 
 
 def _degrees(joints: Array) -> list[float]:

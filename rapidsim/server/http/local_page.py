@@ -118,6 +118,6 @@ async def _answered(page: LocalPage, request: web.Request, name: str) -> web.Res
     return web.Response(status=404, text="there is no such page\n", headers=HEADERS)
 
 
-def _json(answer: object) -> web.Response:
-    body = json.dumps(answer, ensure_ascii=False, allow_nan=False)
+def _json(content: object) -> web.Response:
+    body = json.dumps(content, ensure_ascii=False, allow_nan=False)
     return web.Response(text=body, content_type="application/json", headers=HEADERS)
