@@ -9,7 +9,6 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.colors import ListedColormap
 from matplotlib.figure import Figure
-from matplotlib.patches import Wedge
 
 from rapidsim.frames.transform import Array, Transform
 from rapidsim.language.moves import Interpolation
@@ -18,6 +17,8 @@ from rapidsim.plots.stick_arm import MM, draw_stick, stick
 from rapidsim.plots.theme import Theme, new_figure
 from rapidsim.plots.write import write_pictures
 
+_PIXELS = 600
+"""Number of pixels across the view from above."""
 _FILLED = 0.35
 """Opacity of filled areas."""
 
@@ -73,18 +74,26 @@ def _draw_section(axes: Axes, workspace: ArmWorkspace, corners: Array, theme: Th
 
 
 def _draw_from_above(axes: Axes, workspace: ArmWorkspace, corners: Array, theme: Theme) -> None:
-    """Draw the ring that the section sweeps about axis 1."""
-    near, far = (MM * value for value in workspace.extent[:2])
-    first, last = (float(np.degrees(value)) for value in workspace.turn)
-    if last - first >= 360.0:
-        first, last = 0.0, 360.0
-    colour = theme.moves[Interpolation.LINE]
-    ring = Wedge((0.0, 0.0), far, first, last, width=far - near, color=colour, alpha=_FILLED)
-    axes.add_patch(ring)
+    """Draw what is reached at any height."""
+    far = MM * workspace.extent[1]
+    columns, directions = workspace.above.shape
+    side = np.linspace(-far, far, _PIXELS)
+    x, y = np.meshgrid(side, side)
+    column = (np.hypot(x, y) / (MM * workspace.cell)).astype(np.int64)
+    turn = np.round(np.arctan2(y, x) * directions / (2.0 * np.pi)).astype(np.int64) % directions
+    is_reached = (column < columns) & workspace.above[np.minimum(column, columns - 1), turn]
+    axes.imshow(
+        np.ma.masked_where(~is_reached, is_reached.astype(float)),
+        origin="lower",
+        extent=(-far, far, -far, far),
+        cmap=ListedColormap([theme.moves[Interpolation.LINE]]),
+        alpha=_FILLED,
+        interpolation="nearest",
+    )
     draw_stick(axes, corners, theme.bar, theme, (0, 1), "")
     axes.set_xlim(-1.08 * far, 1.08 * far)
     axes.set_ylim(-1.08 * far, 1.08 * far)
     axes.set_aspect("equal", adjustable="box")
-    axes.set_title(f"from above: axis 1 turns by {np.degrees(workspace.swept):.0f}°")
+    axes.set_title(f"from above: {np.degrees(workspace.swept):.0f}° around axis 1")
     axes.set_xlabel("x [mm]")
     axes.set_ylabel("y [mm]")

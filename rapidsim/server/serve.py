@@ -3,9 +3,7 @@
 from __future__ import annotations
 
 import asyncio
-import signal
 from collections.abc import Awaitable, Callable, Mapping
-from contextlib import suppress
 from dataclasses import dataclass
 
 from rapidsim.files import InputError
@@ -14,7 +12,7 @@ from rapidsim.server.http.basic import BasicAuthentication
 from rapidsim.server.http.digest import DigestAuthentication
 from rapidsim.server.http.fault_port import open_fault_port
 from rapidsim.server.http.guard import Guard
-from rapidsim.server.http.open_port import OpenPort, listen
+from rapidsim.server.http.open_port import OpenPort, end_signal, listen
 from rapidsim.server.http.rws1 import Rws1Dialect
 from rapidsim.server.http.rws2 import Rws2Dialect
 from rapidsim.server.memory import give_large_blocks_back
@@ -79,13 +77,9 @@ async def _serve(
 
     engine.listener = face.notify
     engine.attach()
-    over = asyncio.Event()
     loop = asyncio.get_running_loop()
     loop.set_exception_handler(lambda _, context: noted(_defect_line(context)))
-    for number in (signal.SIGINT, signal.SIGTERM):
-        # Windows has none in a loop; Ctrl-C raises KeyboardInterrupt there.
-        with suppress(NotImplementedError):
-            loop.add_signal_handler(number, over.set)
+    over = end_signal()
     first = Rws1Dialect(DigestAuthentication(settings.users))
     second = Rws2Dialect(BasicAuthentication(settings.users))
     listeners: list[OpenPort] = []

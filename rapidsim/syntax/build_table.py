@@ -1,7 +1,7 @@
 """Compute the LALR table of the grammar with Lark: `python -m rapidsim.syntax.build_table`.
 
-The only module that imports Lark, and the only place that reads Lark's internal parse table;
-therefore `pyproject.toml` pins Lark's minor version.
+The only module that imports Lark, and the only place that reads Lark's internal parse table. Nobody
+runs it but who changes the grammar, so that another version of Lark can break no check.
 """
 
 from __future__ import annotations

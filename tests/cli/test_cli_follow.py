@@ -32,7 +32,7 @@ def test_the_letter_is_tracked_and_written(tmp_path: Path) -> None:
     assert found["refused"] is None
     rows = list(csv.DictReader(trace.read_text(encoding="utf-8").splitlines()))
     assert len(rows) == made["samples"] == made["poses_solved"]
-    assert float(rows[-1]["time_s"]) == made["duration_s"]
+    assert float(rows[-1]["time_s"]) == round(made["duration_s"], 8)
     assert float(rows[-1]["y_mm"]) == pytest.approx(19.269549, abs=1e-6)
     assert recording.read_bytes()[:3] == b"RRF"
     # The same command gives the same answer, whatever time the solver took.
@@ -169,6 +169,16 @@ def test_points_by_lot_can_be_followed() -> None:
     assert "of 8 points reached" in ended.out
 
 
+def test_a_comparison_has_pictures_of_every_kind_of_path(tmp_path: Path) -> None:
+    row = (EXAMPLES / "kr10_row.csv", *KR10, "--compare")
+    ended = rapidsim("follow", *row, "--plots", "kinds", cwd=tmp_path)
+    assert ended.code == 0
+    assert "kinds (plots)" in ended.out
+    folders = sorted(tmp_path.glob("kinds/*"))
+    assert [one.name for one in folders] == ["joint", "joint-quintic", "line", "spline"]
+    assert len({tuple(sorted(file.name for file in one.iterdir())) for one in folders}) == 1
+
+
 @pytest.mark.parametrize(
     ("arguments", "said"),
     [
@@ -181,7 +191,7 @@ def test_points_by_lot_can_be_followed() -> None:
         ((EXAMPLES / "kr10_row.csv", "--record", "x.csv"), "x.csv must end in .rrd"),
         (
             (EXAMPLES / "kr10_row.csv", "--compare", "--trace", "x.csv"),
-            "--compare writes no files",
+            "--compare writes no files but pictures",
         ),
         ((EXAMPLES / "kr10_row.csv", "--tool", "0,0,1,2,0,0,0"), "quaternion has length 2"),
     ],

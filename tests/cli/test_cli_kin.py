@@ -1,6 +1,7 @@
 """`rapidsim kin`: the JSON that scripts rely on, the tables, and every wrong input."""
 
 import json
+import re
 from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
@@ -178,6 +179,18 @@ def test_an_arm_without_a_closed_form_is_searched_and_says_so(tmp_path: Path) ->
     refused = rapidsim("kin", "ik", "--robot", file, *pose, "--solver", "analytic")
     assert refused.code == 2
     assert "bench has no closed form" in refused.err
+
+
+def test_the_relative_transforms_multiply_to_the_pose_of_the_tcp() -> None:
+    words = ("kin", "fk", "--robot", "irb120", "--joints", "30,20,10,40,50,60", "--tool", "10,0,90")
+    shown = rapidsim(*words, "--tables").out
+    tables = re.findall(r"^(T\(\w+,\w+\)|TCP)  .*position.*((?:\n.*){4})", shown, re.MULTILINE)
+    numbers = {
+        name: np.array([line.split() for line in text.splitlines()[1:]], dtype=np.float64)
+        for name, text in tables
+    }
+    chain = [numbers[f"T({k},{k + 1 if k < 6 else 'TCP'})"] for k in range(7)]
+    assert np.allclose(np.linalg.multi_dot(chain), numbers["TCP"], atol=2e-3)
 
 
 @pytest.mark.parametrize(

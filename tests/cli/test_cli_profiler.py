@@ -2,7 +2,9 @@
 
 import json
 import pstats
+import re
 from pathlib import Path
+from time import process_time
 
 from cli_helper import rapidsim
 
@@ -67,3 +69,22 @@ def test_wrong_use_is_refused(tmp_path: Path) -> None:
     assert "must end in .prof" in rapidsim(*run, "cell.txt", cwd=tmp_path).err
     both = rapidsim(*run, "cell.prof", "--break", "cell.mod:3", cwd=tmp_path)
     assert (both.code, both.err) == (2, "error: --break and --profile exclude each other\n")
+
+
+def test_timings_divide_the_processor_time_and_are_there_on_request_only(tmp_path: Path) -> None:
+    move = "MoveAbsJ [[{},0,0,0,30,0],[9E9,9E9,9E9,9E9,9E9,9E9]], v200, fine, tool0;"
+    body = "\n".join(move.format(angle) for angle in (10, 20, 30))
+    (tmp_path / "go.mod").write_text(f"MODULE go\nPROC main()\n{body}\nENDPROC\nENDMODULE\n")
+    words = ("run", "go.mod", "--no-record")
+    began_s = process_time()
+    report = json.loads(rapidsim(*words, "--timings", "--format", "json", cwd=tmp_path).out)
+    spent_s = process_time() - began_s
+    timings = report["timings"]
+    names = ("reading", "solving", "planning", "program", "recording")
+    assert [*timings] == [f"{name}_s" for name in names]
+    assert all(seconds > 0.0 for seconds in timings.values())
+    assert sum(timings.values()) < spent_s
+    shown = rapidsim(*words, "--timings", cwd=tmp_path).out
+    assert re.search(r"^processor time [\d.]+ s: reading [\d.]+, solving ", shown, re.MULTILINE)
+    plain = rapidsim(*words, "--format", "json", cwd=tmp_path).out
+    assert json.loads(plain) == {name: one for name, one in report.items() if name != "timings"}

@@ -6,8 +6,10 @@ from hypothesis import example, given
 from hypothesis import strategies as st
 from reference_numbers import recorded
 
-from rapidsim.frames.transform import Array
+from rapidsim import load_robot
+from rapidsim.frames.transform import Array, Transform
 from rapidsim.motion.waypoints.curves import BaseArc, SplineCurve, StraightLine
+from rapidsim.motion.waypoints.follow import follow
 from rapidsim.motion.waypoints.keep_out_sphere import ThroughBaseError, around, nearest, pushed_out
 from rapidsim.motion.waypoints.piecewise_polynomials import Piecewise
 from rapidsim.motion.waypoints.plan import JointsOverTime, Plan, Refused, quintic_motion
@@ -224,3 +226,29 @@ def test_extremes_are_those_that_sampling_finds(seed: int, powers: int, derivati
         step = np.abs(np.diff(values, axis=0)).max(axis=0, initial=0.0)
         assert (low[piece] >= values.min(axis=0) - room - step).all()
         assert (high[piece] <= values.max(axis=0) + room + step).all()
+
+
+@example((0.75, 0.0005, 1.1), (0.75, 0.0005, 0.8), 1.0)
+@example((0.75, 0.03, 1.1), (0.75, 0.03, 0.8), 1.0)
+@given(
+    st.tuples(st.floats(0.4, 0.9), st.floats(-0.2, 0.2), st.floats(0.7, 1.2)),
+    st.tuples(st.floats(0.4, 0.9), st.floats(-0.2, 0.2), st.floats(0.7, 1.2)),
+    st.floats(0.05, 2.0),
+)
+def test_a_line_is_accepted_or_refused_however_finely_it_is_sampled(
+    begin: tuple[float, float, float], end: tuple[float, float, float], speed: float
+) -> None:
+    if np.linalg.norm(np.subtract(begin, end)) < 0.02:
+        return
+    level = np.tile([0.5**0.5, 0.0, 0.5**0.5, 0.0], (2, 1))
+    points = Points(np.array([begin, end]), level)
+    plan = Plan(speed=speed)
+    robot = load_robot("irb1600")
+    found = [
+        follow(robot, points, level, Transform.identity(), plan, dt=dt) for dt in (0.012, 0.03, 0.3)
+    ]
+    refused = [one.message for one in found if isinstance(one, Refused)]
+    assert len(refused) in (0, len(found)), refused
+    peaks = [one.joint_peaks for one in found if not isinstance(one, Refused)]
+    for other in peaks[1:]:
+        np.testing.assert_allclose(other, peaks[0], rtol=0.03, atol=0.02)

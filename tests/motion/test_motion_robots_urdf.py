@@ -207,7 +207,7 @@ def test_an_arm_of_any_signs_zeros_and_stand_is_recognised(tmp_path: Path) -> No
 @pytest.mark.parametrize(
     ("axis", "changed", "reason"),
     [
-        (1, ("l1", "0.12 0.05 0.2", "1.571 0 0", "0 0 1"), "axis 2 is not perpendicular to axis 1"),
+        (1, ("l1", "0.12 0.05 0.2", "1.572 0 0", "0 0 1"), "axis 2 is not perpendicular to axis 1"),
         (2, ("l2", "0.1 0.4 0.03", "0.1 0 0.4", "0 0 -1"), "axis 3 is not parallel to axis 2"),
         (5, ("l5", "0.08 0 0", f"-{TWO_QUARTERS} 0 0", "0 0 -1"), "do not meet in one point"),
     ],
@@ -219,6 +219,22 @@ def test_other_arms_are_searched_and_say_why(
     robot = load_robot(written(tmp_path, odd_arm(joints)))
     assert isinstance(robot.kinematics, Numerical)
     assert reason in robot.notices[0]
+
+
+def test_right_angles_of_few_digits_are_right(tmp_path: Path) -> None:
+    """Exporters write 1.571 for 90 deg: the arm is the exact one, which a notice says."""
+    rounded = [
+        (link, xyz, rpy.replace(TWO_QUARTERS, "1.571"), axis) for link, xyz, rpy, axis in ODD_JOINTS
+    ]
+    found = load_robot(written(tmp_path, odd_arm(tuple(rounded))))
+    assert "angles up to 0.0117 deg off a right angle are taken as right" in found.notices[0]
+    exact = load_robot(written(tmp_path, odd_arm()))
+    joints = np.random.default_rng(7).uniform(-3.0, 3.0, (20, 6))
+    assert not isinstance(found.kinematics, Numerical)
+    assert not exact.notices
+    np.testing.assert_allclose(
+        found.forward(joints).matrix, exact.forward(joints).matrix, atol=1e-12
+    )
 
 
 @pytest.mark.parametrize(

@@ -167,7 +167,7 @@ def test_ways_of_a_configuration_are_followed_over_more_than_half_a_turn() -> No
         chosen = least_motion(arm, row)
         assert not isinstance(chosen, int)
         assert np.degrees(chosen.joints[:, 2]) == pytest.approx(-np.linspace(0.0, 600.0, count))
-        assert branch_paths(arm, row)[0].message is None
+        assert branch_paths(arm, np.arange(float(count)), row)[0].message is None
 
 
 PROGRAM = """MODULE m

@@ -13,13 +13,18 @@ TOOL = Transform(np.eye(3), np.array([0.0, 0.0, 0.16]))
 
 
 def test_the_kr_10_has_the_volume_of_its_data_sheet() -> None:
-    """Its maker gives 5.14 m3 and 1101 mm for the wrist centre, 80 mm behind the flange."""
+    """Its maker gives 5.14 m3 and 1101 mm for the wrist centre, 80 mm behind the flange.
+
+    All postures of axes 2 and 3 in steps of 0.08 deg, in cells of 2 mm, fill 5.0138 m3 in front of
+    axis 1, which turns by 340 deg; with what the arm reaches behind itself it is 5.2249 m3.
+    """
     wrist = Transform(np.eye(3), np.array([0.0, 0.0, -0.08]))
     found = workspace_of(load_robot("kr10"), wrist)
     assert isinstance(found, ArmWorkspace)
     assert found.volume == pytest.approx(5.14, rel=0.02)
-    assert found.extent[1] == pytest.approx(1.1012, abs=found.cell)
-    assert np.degrees(found.swept) == pytest.approx(340.0)
+    assert found.volume == pytest.approx(5.2249, rel=0.003)
+    assert found.extent[1] == pytest.approx(1.1012, abs=1e-4)
+    assert np.degrees(found.swept) == pytest.approx(360.0)
 
 
 def test_what_is_in_the_section_is_reached() -> None:

@@ -355,9 +355,14 @@ def test_a_browser_jogs_loads_steps_and_explains(tmp_path: Path) -> None:
                 await page.picture(tmp_path / f"{name}.png", width, height, dark=dark)
                 wide = "document.documentElement.scrollWidth - window.innerWidth"
                 assert await page.value(wide) <= 0
-            await click("#quick")
-            await page.until(f"{_one('#start')}.disabled")
-            assert live.panel.state is ControllerState.MOTORS_OFF
+            for text, after in (
+                ("Release emergency stop", ControllerState.EMERGENCY_STOP),
+                ("Emergency stop", ControllerState.EMERGENCY_STOP_RELEASED),
+            ):
+                await click("#emergency")
+                await page.until(f"{_one('#emergency')}.textContent === '{text}'")
+                assert live.panel.state is after
+                assert await page.value(f"{_one('#start')}.disabled")
             assert not page.errors
 
     serve(cell(tmp_path), None, use)

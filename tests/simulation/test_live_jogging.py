@@ -6,8 +6,9 @@ import numpy as np
 import pytest
 from live_controller import Live, module
 
+from rapidsim.motion.configurations.jog_steps import JogFrame
 from rapidsim.motion.trajectory.trajectory import Trajectory
-from rapidsim.simulation.live.jogging import JogFrame, jog, jog_arm, reason_against_jogging, step_of
+from rapidsim.simulation.live.jogging import jog, jog_arm, reason_against_jogging, step_of
 from rapidsim.simulation.live.live_task import LiveTask
 from rapidsim.simulation.live.position import position_snapshot
 from rapidsim.simulation.live.states import Motors, OperatingMode, RequestRefused, StopMode

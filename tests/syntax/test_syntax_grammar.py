@@ -15,13 +15,15 @@ from rapidsim.diagnostics import Source
 from rapidsim.syntax import tree
 from rapidsim.syntax.build_table import GrammarConflictError, export, written
 from rapidsim.syntax.builder import Builder
+from rapidsim.syntax.driver import build_tree
 from rapidsim.syntax.lexer import lex
 from rapidsim.syntax.parser import parse
 from rapidsim.syntax.stored_table import rapid_table
 from rapidsim.syntax.table import END, GRAMMAR_FILE, TABLE_FILE
 from rapidsim.syntax.terminals import TERMINALS
 
-GRAMMARS = Path(__file__).parents[2] / "grammars"
+ROOT = Path(__file__).parents[2]
+GRAMMARS = ROOT / "grammars"
 PROGRAMS = sorted((Path(__file__).parent / "programs").iterdir())
 
 
@@ -61,6 +63,36 @@ def test_reading_a_file_does_not_import_lark() -> None:
         "assert 'lark' not in sys.modules\n"
     )
     subprocess.run([sys.executable, "-c", code], check=True)
+
+
+def test_lark_alone_accepts_what_we_accept() -> None:
+    """The grammar stands by itself: words in any case, options with the names of words.
+
+    Where only a name can stand, Lark takes a reserved word for one.
+    """
+    parser = lark.Lark(grammar(), parser="lalr", start="file")
+    files = sorted(ROOT.glob("programs/**/*.mod")) + sorted(ROOT.glob("tests/**/*.mod"))
+    found = {path: _findings(path) for path in files}
+    for path, codes in found.items():
+        if codes & {"E121"}:
+            continue
+        text = path.read_bytes().decode("utf-8-sig", "replace")
+        try:
+            parser.parse(text)
+        except lark.exceptions.UnexpectedInput:
+            assert codes, path
+        else:
+            assert not codes, path
+    assert sum(not codes for codes in found.values()) > 600
+
+
+def _findings(path: Path) -> set[str]:
+    """Codes of what our parser repairs in a file; empty if it reads the file as it stands."""
+    text = path.read_bytes().decode("utf-8-sig", "replace")
+    tokens = lex(text)
+    if not tokens.unterminated and build_tree(tokens, Builder(Source("", text))) is not None:
+        return set()
+    return {one.code for one in parse(Source(str(path), text)).diagnostics}
 
 
 class OurTokens(Lexer):

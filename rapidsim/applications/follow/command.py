@@ -183,7 +183,9 @@ class FollowRequest:
         "--record", metavar="FILE.rrd", help="Write a recording for the rerun viewer."
     )
     plots: str | None = option(
-        "--plots", metavar="DIR", help="Write pictures of path, joints, deviation, orientation."
+        "--plots",
+        metavar="DIR",
+        help="Write pictures of path, joints, deviation, orientation; with --compare of each kind.",
     )
     output_format: str = shared(table_or_json)
 
@@ -202,6 +204,7 @@ def follow(options: FollowRequest) -> int:
     from rapidsim.applications.follow.follow_steps import (
         attempt,
         attempt_all,
+        compared_pictures,
         prepared,
         started,
         unused,
@@ -214,7 +217,8 @@ def follow(options: FollowRequest) -> int:
     recording = new_recording(options.record) if options.record else None
     trace_file = new_trace(options.trace) if options.trace else None
     pictures = new_plots(options.plots) if options.plots else None
-    _require_consistent(options, writes=bool(recording or trace_file or pictures))
+    of_one = bool(recording or trace_file or (pictures and not options.compare))
+    _require_consistent(options, writes=of_one)
     arm = open_robot(options.robot, options.scale)
     points = _points(options, len(arm.joints), Convention(options.convention))
     plan = _plan(options)
@@ -228,7 +232,10 @@ def follow(options: FollowRequest) -> int:
         attempts = attempt_all(task, plan, tuple(Way) if options.compare else (plan.kind,))
     title = "line" if options.points_file in (None, "-") else str(options.points_file)
     result = attempts[0].result
-    files = write_files(result, title, recording, trace_file, pictures, task.requested)
+    if options.compare and pictures:
+        files = compared_pictures([one.result for one in attempts], title, pictures)
+    else:
+        files = write_files(result, title, recording, trace_file, pictures, task.requested)
     _report(options, task, attempts, files, started(result) if options.starts else ())
     is_clean = task.all_reached and all(one.possible for one in attempts)
     return ExitCode.CLEAN if is_clean else ExitCode.FINDINGS
@@ -259,7 +266,8 @@ def _require_consistent(options: FollowRequest, *, writes: bool) -> None:
     if comparisons and writes:
         (name,) = comparisons
         verb = "write" if name.startswith("several") else "writes"
-        raise InputError(f"{name} {verb} no files", f"leave out {name}, or the files")
+        only = "no files but pictures" if options.compare else "no files"
+        raise InputError(f"{name} {verb} {only}", f"leave out {name}, or the files")
     if options.avoid and not options.min_radius:
         raise InputError("--avoid needs to know the sphere", "give its radius with --min-radius")
 

@@ -208,6 +208,19 @@ def written(
     return tuple(files)
 
 
+def compared_pictures(
+    results: Sequence[FollowedTrajectory | Refused], title: str, plots: Path
+) -> tuple[OutputFile, ...]:
+    """Write the pictures of all trajectories, each to a folder that has the name of its path."""
+    from rapidsim.plots.followed_pictures import write_followed_plots
+
+    made = [one for one in results if isinstance(one, FollowedTrajectory)]
+    plots.mkdir(exist_ok=True)
+    for one in made:
+        write_followed_plots(one, Path(title).name, plots / one.plan.kind.value)
+    return (OutputFile(plots, "plots"),) if made else ()
+
+
 def render_result(
     task: PreparedPoints, attempts: Sequence[Attempt], files: Sequence[OutputFile], *, compare: bool
 ) -> RenderableType:
@@ -219,6 +232,7 @@ def render_result(
         parts.append(compare_page(attempts))
         turns = turns_page(task.attitudes)
         parts += [] if turns is None else [Text(), turns]
+        parts += [Text(), files_text(files)] if files else []
         return Group(*parts)
     (attempt,) = attempts
     parts.append(trajectory_page(attempt))

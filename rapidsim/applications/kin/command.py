@@ -105,7 +105,9 @@ class ForwardOptions:
 
     joints: tuple[float, ...] = shared(_joints_option)
     tables: bool = option(
-        "--tables", is_flag=True, help="Also show the matrix of each link, and the arm's tables."
+        "--tables",
+        is_flag=True,
+        help="Also show the matrices of the links, T(k-1,k) included, and the arm's tables.",
     )
 
 

@@ -21,7 +21,7 @@ from rapidsim.jobs.running.picking_cycle import picking_cycle
 from rapidsim.json_records.encoding import json_of
 from rapidsim.motion.robot.catalogue import aliases_of, robot_names
 from rapidsim.motion.robot.robot import load_robot
-from rapidsim.motion.workspace import workspace_of
+from rapidsim.motion.workspace import workspace_of, wrist_workspace_of
 from rapidsim.report.run.summary import OutputFile, files_text
 from rapidsim.report.tables.axis_tables import axis_tables_page
 from rapidsim.report.tables.robot_records import (
@@ -103,14 +103,15 @@ def _show_robot(name: str, options: RobotsOptions) -> ExitCode:
     robot = open_robot(name, options.scale)
     short = aliases_of(robot.name)
     reached = workspace_of(robot) if options.workspace else None
+    of_wrist = wrist_workspace_of(robot) if options.workspace else None
     cycle = picking_cycle(robot) if options.cycle else None
     if is_json:
         tables = axis_tables(robot) if options.table else None
-        print_json(json_of(robot_page_record(robot, short, tables, reached, cycle)))
+        print_json(json_of(robot_page_record(robot, short, tables, reached, of_wrist, cycle)))
     else:
         terminal.show(robot_page(robot, short))
         pages = [axis_tables_page(robot)] if options.table else []
-        pages += [] if reached is None else [workspace_page(reached)]
+        pages += [] if reached is None else [workspace_page(reached, of_wrist)]
         pages += [] if cycle is None else [cycle_page(robot, cycle)]
         for page in pages:
             echo("")

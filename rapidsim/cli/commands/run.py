@@ -31,6 +31,7 @@ from rapidsim.cli.tools.instrumentation import choose_instrumentation, run_instr
 from rapidsim.cli.tools.opened_viewer import open_viewer
 from rapidsim.cli.tools.progress_meter import Meter
 from rapidsim.cli.tools.run_output import FORMATS, RunDone, print_rejected, print_run, stage
+from rapidsim.cli.tools.run_timer import RunTimer
 from rapidsim.cli.tools.watch_mode import watch_option
 from rapidsim.extras import pip_install
 from rapidsim.files import InputError
@@ -104,6 +105,11 @@ _EXIT_CODES = {
     help="Profile the interpreter: where does the computer time go?",
 )
 @click.option(
+    "--timings",
+    is_flag=True,
+    help="Show the processor time of reading, solving, planning, program and recording.",
+)
+@click.option(
     "--replay",
     metavar="JOURNAL",
     help="Replay a journal of `rapidsim serve` instead of running main.",
@@ -117,6 +123,7 @@ def run(
     write_pers: bool,
     breaks: tuple[str, ...],
     profile: str | None,
+    timings: bool,
     replay: str | None,
 ) -> int:
     """Run a RAPID program on a virtual controller with a simulated robot.
@@ -128,7 +135,7 @@ def run(
     Exit codes: 0 the program ended, 1 it has errors or stopped with one, 2 wrong usage, 3 a time
     limit ended the run, 4 an --assert or the cycle budget of the station file failed.
     """
-    terminal = current_terminal()
+    terminal, timer = current_terminal(), RunTimer()
     watch = choose_instrumentation(breaks, profile)
     if write_pers and "-" in request.paths:
         raise InputError("--write-pers: standard input cannot be written to")
@@ -146,12 +153,14 @@ def run(
         execute = _executing(made, meter)
         if replay is not None:
             execute = _replaying(ready, made, Path(replay))
+        execute = _timed(execute, timer)
         assertions = read_assertions(asserted, ready.programs, job.station.io, terminal)
         with report_if_interrupted(meter.so_far):
             finished, measured = run_instrumented(execute, ready, made, watch, terminal, meter)
     except ProgramRejectedError as rejected:
         print_rejected(ready, rejected.diagnostics, output_format, terminal)
         return ExitCode.FINDINGS
+    timer.end_run()
     simulation = finished.simulation
     shown = cache(partial(figures, simulation))
     done = RunDone(simulation, shown, _judge(job, assertions, finished, shown), measured)
@@ -167,6 +176,8 @@ def run(
             written = (*written, *write_values(simulation, job.files))
         except InputError as error:
             refused = refused or error
+    if timings:
+        done = replace(done, timings=timer.timings())
     print_run(done, job.robot, written, output_format, terminal)
     recording = outputs.recording
     if outputs.view and recording and any(one.path == recording for one in written):
@@ -194,6 +205,19 @@ def _executing(inputs: PreparedRun, meter: Meter) -> Execute:
         return executed(inputs, watch_all)
 
     return execute
+
+
+def _timed(execute: Execute, timer: RunTimer) -> Execute:
+    """The run, which a timer follows."""
+
+    def timed(watch: Callable[[RunInProgress], None]) -> FinishedRun:
+        def watch_all(run: RunInProgress) -> None:
+            timer.watch(run)
+            watch(run)
+
+        return execute(watch_all)
+
+    return timed
 
 
 def _replaying(ready: LoadedJob, made: PreparedRun, journal: Path) -> Execute:

@@ -4,9 +4,8 @@ from __future__ import annotations
 
 import json
 import os
-import sys
 from collections.abc import Iterator
-from contextlib import contextmanager, redirect_stdout, suppress
+from contextlib import contextmanager, suppress
 from functools import partial
 from math import inf
 from pathlib import Path
@@ -21,9 +20,8 @@ from rapidsim.cli.exit_codes import ExitCode
 from rapidsim.cli.options.declared import argument, option, options_of, shared
 from rapidsim.cli.options.job_options import assume_missing_option
 from rapidsim.cli.options.numbers import POSITIVE
-from rapidsim.cli.terminal import current_terminal, echo, terminal_options
+from rapidsim.cli.terminal import echo, terminal_options
 from rapidsim.cli.viewer import require_screen
-from rapidsim.diagnostics import Diagnostic
 from rapidsim.extras import require
 from rapidsim.files import InputError, input_bytes
 from rapidsim.jobs.inputs.run_request import DEFAULT_ENTRY, RunRequest
@@ -223,6 +221,7 @@ def serve(options: ServeOptions) -> int:
     ports = _ports(options)
     if ports[1] is not None:
         require("cryptography", "--rws2-port")
+    from rapidsim.cli.tools.run_output import print_rejected_on_stderr
     from rapidsim.jobs.running.run_files import ProgramRejectedError
     from rapidsim.server.process import started
     from rapidsim.server.serve import Addresses
@@ -246,7 +245,7 @@ def serve(options: ServeOptions) -> int:
     try:
         engine = started(request, engine_settings, _debug_port(options.debug_port))
     except ProgramRejectedError as rejected:
-        _print_rejected(request, rejected.diagnostics)
+        print_rejected_on_stderr(request, rejected.diagnostics)
         return ExitCode.FINDINGS
 
     ready_file = None if options.ready_file is None else Path(options.ready_file)
@@ -440,13 +439,3 @@ def _users(texts: tuple[str, ...]) -> dict[str, str]:
         if not one.partition(":")[0] or not one.partition(":")[2]:
             raise InputError("--user: it takes NAME:PASSWORD, both of them")
     return {name: password for name, _, password in (one.partition(":") for one in texts)}
-
-
-def _print_rejected(request: RunRequest, findings: tuple[Diagnostic, ...]) -> None:
-    """Print the findings as `rapidsim run` does, but on stderr: clients read stdout."""
-    from rapidsim.cli.tools.run_output import print_rejected
-    from rapidsim.jobs.inputs.job import job
-    from rapidsim.jobs.running.run_files import loaded
-
-    with redirect_stdout(sys.stderr):
-        print_rejected(loaded(job(request)), findings, "table", current_terminal())

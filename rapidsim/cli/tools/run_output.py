@@ -4,16 +4,18 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Callable, Iterator, Sequence
-from contextlib import contextmanager
+from contextlib import contextmanager, redirect_stdout
 from typing import TYPE_CHECKING, Any
 
 from rapidsim.cli.options.outputs import VALUES
-from rapidsim.cli.terminal import Terminal, echo, print_json
+from rapidsim.cli.terminal import Terminal, current_terminal, echo, print_json
 from rapidsim.cli.tools.findings_text import findings_text
 from rapidsim.diagnostics import Diagnostic, Severity
+from rapidsim.jobs.inputs.job import job
 from rapidsim.jobs.inputs.robot_choice import RobotChoice
+from rapidsim.jobs.inputs.run_request import RunRequest
 from rapidsim.jobs.inputs.task_files import missing_neighbours
-from rapidsim.jobs.running.run_files import LoadedJob
+from rapidsim.jobs.running.run_files import LoadedJob, loaded
 from rapidsim.json_records.encoding import json_of
 from rapidsim.report.findings.merging import errors_first, merged
 from rapidsim.report.findings.source_frame import printable
@@ -21,6 +23,7 @@ from rapidsim.report.findings.text import summary_line
 from rapidsim.report.run.figures import Figures
 from rapidsim.report.run.json_report import RunFiles, rejected_report, run_json
 from rapidsim.report.run.summary import ASCII_BARS, BLOCK_BARS, OutputFile, summary
+from rapidsim.report.run.timings import RunTimings
 from rapidsim.report.run.verdicts import Verdicts
 from rapidsim.simulation.results.simulation import Simulation
 from rapidsim.simulation.results.verdict import Verdict
@@ -50,6 +53,12 @@ def print_rejected(
                 echo(hint)
 
 
+def print_rejected_on_stderr(request: RunRequest, findings: Sequence[Diagnostic]) -> None:
+    """Say why a program is not loaded; stdout is for who starts a server."""
+    with redirect_stdout(sys.stderr):
+        print_rejected(loaded(job(request)), findings, "table", current_terminal())
+
+
 @value_class(frozen=True, slots=True)
 class RunDone:
     """A run and what is known of it."""
@@ -59,6 +68,7 @@ class RunDone:
     """Computed at first use."""
     judgement: Verdicts
     profile: RunProfile | None
+    timings: RunTimings | None = None
 
     @property
     def verdict(self) -> Verdict:
@@ -77,7 +87,8 @@ def print_run(
     findings = done.simulation.diagnostics
     if output_format == "json":
         files = _json_files(written)
-        print_json(run_json(done.simulation, done.figures(), findings, files, done.judgement))
+        figures, judgement = done.figures(), done.judgement
+        print_json(run_json(done.simulation, figures, findings, files, judgement, done.timings))
     elif output_format == "table":
         _print_findings(findings, terminal)
         if not terminal.quiet:
@@ -123,6 +134,8 @@ def _print_summary(
             bars=ASCII_BARS if plain else BLOCK_BARS,
         )
     )
+    if done.timings is not None:
+        echo(done.timings.text)
     if done.profile:
         from rapidsim.cli.tools.profiler import costs_table
 

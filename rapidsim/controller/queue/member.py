@@ -11,6 +11,7 @@ import numpy as np
 from rapidsim.controller.moves.executed_moves import ExecutedMoves, MoveColumns
 from rapidsim.controller.queue.move_log import MoveLog
 from rapidsim.controller.queue.plan_cache import PlanCache
+from rapidsim.controller.queue.planning_costs import PlanningCosts
 from rapidsim.frames.rotation_vectors import vector_from_rotation
 from rapidsim.frames.transform import Array
 from rapidsim.motion.geometry.segments import Segment, Waypoint
@@ -72,6 +73,8 @@ class Member:
     """All moves that it ever got."""
     repeats: PlanCache = field(default_factory=PlanCache)
     """Plans of blocks that it made alone."""
+    costs: PlanningCosts = field(default_factory=PlanningCosts)
+    """Processor time of the plans that it led."""
     ready_s: float = 0.0
     """Earliest command time at which its next block may start."""
     waited_s: float = 0.0

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
+from time import process_time
 
 from rapidsim.controller.moves.queued_move import MotionError, QueuedMove
 from rapidsim.controller.queue.belt_planning import BlockStart, follows_belt, plan_on_belt
@@ -65,6 +66,7 @@ class PathPlanner:
         self.check_deadline = check_deadline
         self._model, self._lead = lead.model, lead
         self._robots = [one.robot for one in members]
+        self._costs = lead.costs
         self._repeats = lead.repeats if len(members) == 1 else PlanCache()
 
     def plan(
@@ -92,7 +94,10 @@ class PathPlanner:
             return self._plan_on_belt(rows, segments[0], start)
 
         def make_plan() -> tuple[Path, TimeScaling]:
-            return self._timed(self._path(rows, segments), start)
+            began_s = process_time()
+            path = self._path(rows, segments)
+            self._costs.solving_s += process_time() - began_s
+            return self._timed(path, start)
 
         if lost_corner is not None:
             return make_plan()
@@ -100,6 +105,7 @@ class PathPlanner:
         return self._repeats.plan(segments, of_start, make_plan)
 
     def _timed(self, path: Path, start: PlanStart) -> tuple[Path, TimeScaling]:
+        began_s = process_time()
         timing = plan(
             path,
             self.limits,
@@ -108,6 +114,7 @@ class PathPlanner:
             spent_s=start.spent_s,
             check_deadline=self.check_deadline,
         )
+        self._costs.planning_s += process_time() - began_s
         return path, timing
 
     def _plan_on_belt(
@@ -116,7 +123,9 @@ class PathPlanner:
         """Plan moves of a robot alone, of which some follow a belt."""
 
         def make_plan(moved: Sequence[Segment]) -> tuple[Path, TimeScaling] | PathFault:
+            began_s = process_time()
             path = build_shared_path(self._robots, [moved], self._model, self.check_deadline)
+            self._costs.solving_s += process_time() - began_s
             return path if isinstance(path, PathFault) else self._timed(path, start)
 
         first = BlockStart(

@@ -7,6 +7,7 @@ line. All that a jog panel needs to know of an arm before it moves is here.
 from __future__ import annotations
 
 import math
+from enum import StrEnum
 from typing import Final
 
 import numpy as np
@@ -19,15 +20,31 @@ from rapidsim.motion.configurations.reachability import (
     over_limit,
     unreachable_reason,
 )
+from rapidsim.motion.configurations.targets import MM
 from rapidsim.motion.robot.robot import Robot
 from rapidsim.values import value_class
 
+_DIRECTIONS: Final = 6
 _LENGTHS: Final = 3
 """Directions of a frame before those about which it turns."""
+_LONGEST: Final = 0.2
+"""Longest step [m]."""
+_WIDEST: Final = math.radians(30.0)
+"""Widest step [rad]."""
 _PLACES: Final = 21
 """Number of places at which a step is tried."""
 _MOST_TURN: Final = 0.35
 """Turn [rad] of an axis between two places beyond which the arm is in a singularity."""
+
+
+class JogFrame(StrEnum):
+    """The frame along whose axes the TCP is jogged; or the axes of the arm."""
+
+    JOINTS = "joints"
+    BASE = "base"
+    WORLD = "world"
+    TOOL = "tool"
+    WOBJ = "wobj"
 
 
 @value_class(frozen=True, slots=True, eq=False)
@@ -54,6 +71,43 @@ class JogArm:
     def base_from_tcp(self) -> Transform:
         """Pose of the TCP."""
         return self.robot.forward(self.joints) @ self.tcp_from_flange.inverse()
+
+    def step(self, base_from_frame: Transform | None, axis: int, distance: float) -> JogStep | str:
+        """Return a step of so many degrees or mm along an axis from 0; or why there is none."""
+        count = len(self.joints) if base_from_frame is None else _DIRECTIONS
+        if not 0 <= axis < count:
+            return f"there is no axis {axis + 1}"
+        is_length = base_from_frame is not None and axis < _LENGTHS
+        size = MM * distance if is_length else math.radians(distance)
+        if not abs(size) <= (_LONGEST if is_length else _WIDEST):
+            return "a step is at most 30 degrees or 200 mm"
+        return JogStep(axis, size, base_from_frame)
+
+    def steps(
+        self, base_from_frame: Transform | None, length: float, angle: float
+    ) -> list[dict[str, object]] | str:
+        """Return the size of a step along each axis, and the reasons against both senses, as JSON.
+
+        Args:
+            base_from_frame: As for a `JogStep`.
+            length: Size of a step [mm].
+            angle: Size of a turn [deg].
+
+        Returns:
+            A row per axis; a text if the sizes are too large.
+        """
+        found: list[dict[str, object]] = []
+        is_joints = base_from_frame is None
+        for axis in range(len(self.joints) if is_joints else _DIRECTIONS):
+            size = angle if is_joints or axis >= _LENGTHS else length
+            reasons: list[str | None] = []
+            for sign in (-1.0, 1.0):
+                step = self.step(base_from_frame, axis, sign * size)
+                if isinstance(step, str):
+                    return step
+                reasons.append(self.reason_against(step))
+            found.append({"axis": axis + 1, "size": size, "reasons": reasons})
+        return found
 
     def along(self, step: JogStep, shares: Array) -> Array | str:
         """Joints (k, n) [rad] at shares (k,) of a step, ascending from 0; or why it is impossible.

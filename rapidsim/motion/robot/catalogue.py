@@ -32,11 +32,13 @@ from rapidsim.motion.robot.known_constants import (
     PublishedAccelerations,
     PublishedTorques,
     ReferenceCycle,
+    ReferenceVolume,
     inertia_shape,
     measured_constants,
     published_accelerations,
     published_torques,
     reference_cycle,
+    reference_volume,
 )
 from rapidsim.motion.robot.scaled_torques import InertiaShape
 from rapidsim.motion.robot.structures import Geometry, geometry_from_table
@@ -80,6 +82,7 @@ class CatalogueEntry:
     accelerations: PublishedAccelerations | None
     """None unless published."""
     picking: ReferenceCycle | None
+    wrist_centre_volume: ReferenceVolume | None
     unconfirmed_speeds: tuple[float, ...]
     """Axis speeds in RAPID's units that no source confirms, for the user to check; or empty."""
     payload_kg: float | None
@@ -262,6 +265,11 @@ def _entry(table: Mapping[str, Any], folder: Path) -> CatalogueEntry:
             published_accelerations(table["accelerations"]) if "accelerations" in table else None
         ),
         picking=reference_cycle(table["picking_cycle"]) if "picking_cycle" in table else None,
+        wrist_centre_volume=(
+            reference_volume(table["wrist_centre_volume"])
+            if "wrist_centre_volume" in table
+            else None
+        ),
         unconfirmed_speeds=tuple(table.get("unconfirmed_speeds", ())),
         payload_kg=table.get("payload_kg"),
         reach_m=table.get("reach_m"),

@@ -62,6 +62,19 @@ class ReferenceCycle:
     """None if the figure is from memory."""
 
 
+@value_class(frozen=True, slots=True)
+class ReferenceVolume:
+    """A figure for the volume that the wrist centre of an arm reaches, for comparison only."""
+
+    volume_m3: float
+    source: str
+
+
+def reference_volume(table: Mapping[str, Any]) -> ReferenceVolume:
+    """Return the figure in the table [wrist_centre_volume] of an arm."""
+    return ReferenceVolume(table["m3"], table["source"])
+
+
 def measured_constants(table: Mapping[str, Any]) -> MeasuredConstants:
     """Return the constants in the table [dynamics] of a measured arm."""
     return MeasuredConstants(

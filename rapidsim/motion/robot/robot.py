@@ -24,7 +24,7 @@ from rapidsim.motion.robot.catalogue import (
     speed_lender,
 )
 from rapidsim.motion.robot.external_axes import Axes, ExternalAxis
-from rapidsim.motion.robot.known_constants import ReferenceCycle
+from rapidsim.motion.robot.known_constants import ReferenceCycle, ReferenceVolume
 from rapidsim.motion.robot.motion_constants import (
     MotionConstants,
     constants_of,
@@ -121,6 +121,8 @@ class Robot:
     """Constants of version 2 of the motion model."""
     picking: ReferenceCycle | None = None
     """Figure for its picking cycle; None if there is none."""
+    wrist_centre_volume: ReferenceVolume | None = None
+    """Figure for the volume that its wrist centre reaches; None if there is none."""
     external: tuple[ExternalAxis, ...] = ()
     """Axes outside the arm, in the order of their letters; defined in the station file."""
     meshes: LinkMeshes | None = None
@@ -285,6 +287,7 @@ def _from_entry(entry: CatalogueEntry) -> Robot:
         notes=(*entry.notes, *lent),
         not_modelled=entry.not_modelled,
         picking=entry.picking,
+        wrist_centre_volume=entry.wrist_centre_volume,
         link_excess_m=entry.link_excess_m,
     )
 

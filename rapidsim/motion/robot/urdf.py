@@ -7,13 +7,14 @@ from __future__ import annotations
 
 from dataclasses import replace
 from io import BytesIO
-from math import inf
+from math import degrees, inf, radians
 from pathlib import Path
 
 import numpy as np
 import yourdfpy
 
 from rapidsim.files import InputError, input_text
+from rapidsim.frames.rotation_vectors import vector_from_rotation
 from rapidsim.frames.transform import Array, Transform
 from rapidsim.motion.kinematics.arm import METRES_PER_UNIT, Kinematics
 from rapidsim.motion.kinematics.closed_form.opw import OrthoParallel
@@ -35,6 +36,8 @@ FLANGE_NAMES = ("tool0", "flange")
 FEWEST_JOINTS = 2
 TURNING = ("revolute", "continuous")
 SLIDING = "prismatic"
+_ALMOST_RIGHT = radians(0.05)
+"""Angle [rad] by which a frame may be off a right angle because digits are missing."""
 _FARTHEST_M = 10_000.0
 _LONGEST_LINK_M = 20.0
 """Length above which a link is assumed to be in mm: commercial arms have links of up to 2 m."""
@@ -83,6 +86,11 @@ def robot_parts_from_urdf(file: Path, scale: float = 1.0) -> RobotParts:
     closed_form: OrthoParallel | str = f"it has {len(joints)} axes"
     if len(joints) == JOINT_COUNT:
         closed_form = ortho_parallel_arm(axes)
+        if isinstance(closed_form, str) and (squared := _squared(robot)):
+            tried = _axes_at_zero(squared.robot, joints)
+            if not isinstance(found := ortho_parallel_arm(tried), str):
+                robot, axes, closed_form = squared.robot, tried, found
+                remarks += (squared.remark(file),)
     coupling = _coupling(file, robot, joints, axes)
     if coupling:
         if isinstance(closed_form, str):
@@ -112,6 +120,40 @@ def robot_parts_from_urdf(file: Path, scale: float = 1.0) -> RobotParts:
         kinematics=arm,
         notices=(*remarks, *_length_notices(file, robot), *notices),
     )
+
+
+@value_class(frozen=True, slots=True, eq=False)
+class _Squared:
+    """A description whose almost right angles are right."""
+
+    robot: yourdfpy.Robot
+    largest: float
+    """Largest angle [rad] by which a frame was turned."""
+
+    def remark(self, file: Path) -> str:
+        """Return a remark for the user."""
+        return (
+            f"{file}: angles up to {degrees(self.largest):.3g} deg off a right angle are taken as "
+            "right, as digits are missing; the arm has closed formulas then"
+        )
+
+
+def _squared(robot: yourdfpy.Robot) -> _Squared | None:
+    """Return a description with right angles; None if no frame is almost along its parent's axes.
+
+    Exporters that write 1.571 for 90 deg turn axes by 0.01 deg, which no arm is built with.
+    """
+    joints, largest = [], 0.0
+    for joint in robot.joints:
+        if joint.origin is not None:
+            right = np.round(joint.origin[:3, :3])
+            off = float(np.linalg.norm(vector_from_rotation(right.T @ joint.origin[:3, :3])))
+            if abs(np.linalg.det(right)) == 1.0 and 0.0 < off <= _ALMOST_RIGHT:
+                origin = joint.origin.copy()
+                origin[:3, :3] = right
+                joint, largest = replace(joint, origin=origin), max(largest, off)
+        joints.append(joint)
+    return _Squared(replace(robot, joints=joints), largest) if largest else None
 
 
 def _scara(file: Path, joints: list[yourdfpy.Joint], axes: AxesAtZero) -> Scara:

@@ -21,7 +21,7 @@ from rapidsim.motion.configurations.reachability import (
 from rapidsim.motion.kinematics.unwrapping import turning, whole_turns
 from rapidsim.motion.robot.external_axes import amount_text
 from rapidsim.motion.robot.robot import Robot
-from rapidsim.motion.waypoints.branch_jumps import LARGEST_STEP
+from rapidsim.motion.waypoints.branch_jumps import too_fast
 from rapidsim.values import value_class
 
 _EXACT = 1e-9
@@ -50,12 +50,13 @@ class BranchPath:
 
 
 def branch_paths(
-    robot: Robot, base_from_flange: Transform, first: Array | None = None
+    robot: Robot, times: Array, base_from_flange: Transform, first: Array | None = None
 ) -> tuple[BranchPath, ...]:
     """Follow poses in every configuration that reaches the first one.
 
     Args:
         robot: An arm whose solutions confdata distinguishes.
+        times: Times (k,) [s].
         base_from_flange: Poses (k,), close to one another.
         first: Joints (n,) [rad] at the first pose: their configuration uses their whole turns.
             The other configurations use turns within the limits, if possible.
@@ -74,8 +75,22 @@ def branch_paths(
         joints, exists = followed.joints, followed.exists
         if not given:
             joints = joints + _shift(robot, joints[exists])
-        found.append(_branch_path(robot, base_from_flange, joints, exists))
+        found.append(_branch_path(robot, times, base_from_flange, joints, exists))
     return tuple(sorted(found, key=lambda way: way.severity))
+
+
+def steps_of_branches(robot: Robot, base_from_flange: Transform, first: Array | None) -> Array:
+    """Return the largest steps (k - 1,) [rad] between poses (k,) in any configuration."""
+    arm = robot.kinematics
+    begin = robot.inverse(base_from_flange[:1])
+    largest = np.zeros(len(base_from_flange) - 1)
+    for branch in np.flatnonzero(begin.exists[0]).tolist():
+        near = begin.joints[0, branch] if first is None else first
+        followed = arm.inverse_on_branch(base_from_flange, branch, near)
+        steps = np.abs(turning(np.diff(followed.joints, axis=0), arm.turns)).max(axis=1)
+        steps[~(followed.exists[1:] & followed.exists[:-1])] = 0.0
+        largest = np.maximum(largest, steps)
+    return largest
 
 
 def _shift(robot: Robot, joints: Array) -> Array:
@@ -85,12 +100,13 @@ def _shift(robot: Robot, joints: Array) -> Array:
 
 
 def _branch_path(
-    robot: Robot, base_from_flange: Transform, joints: Array, exists: np.typing.NDArray[np.bool_]
+    robot: Robot,
+    times: Array,
+    base_from_flange: Transform,
+    joints: Array,
+    exists: np.typing.NDArray[np.bool_],
 ) -> BranchPath:
     conf = tuple(confdata_of(robot.kinematics, joints[0]).tolist())
-    both = exists[1:] & exists[:-1]
-    steps = np.abs(turning(np.diff(joints, axis=0), robot.kinematics.turns))
-    steps = np.where(both[:, None], steps, 0.0)
     excess = limit_excess(robot, joints)
     excess[~exists] = 0.0
     if not exists.all():
@@ -103,10 +119,10 @@ def _branch_path(
         )
         share = float(np.mean(~exists))
         return BranchPath(conf, joints, why, row, (2, share))
-    if steps.max(initial=0.0) > LARGEST_STEP:
-        row, joint = (int(i) for i in np.unravel_index(np.argmax(steps), steps.shape))
-        why = f"joint {joint + 1} would have to jump by {degrees(steps[row, joint]):.0f} deg"
-        return BranchPath(conf, joints, f"{why}, at a singularity", row, (3, float(steps.max())))
+    if (jump := too_fast(robot, times, joints, exists)) is not None:
+        row, joint, size = jump
+        why = f"joint {joint + 1} would have to jump by {degrees(size):.0f} deg, at a singularity"
+        return BranchPath(conf, joints, why, row, (3, size))
     if excess.any():
         row, joint = (int(i) for i in np.unravel_index(np.argmax(np.abs(excess)), excess.shape))
         over = float(excess[row, joint])

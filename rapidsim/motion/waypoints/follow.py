@@ -29,7 +29,13 @@ from rapidsim.motion.waypoints.plan import (
 )
 from rapidsim.motion.waypoints.points import Points, posed
 from rapidsim.motion.waypoints.quintic import overshoot
-from rapidsim.motion.waypoints.tcp_joints import NOT_FROM_THERE, joints_of_tcp, solved, when
+from rapidsim.motion.waypoints.tcp_joints import (
+    NOT_FROM_THERE,
+    TcpJoints,
+    joints_of_tcp,
+    solved,
+    when,
+)
 from rapidsim.values import value_class
 
 DEFAULT_DT = 0.012
@@ -140,10 +146,10 @@ def follow(
         times = _times(motion.starts, dt)
         if isinstance(times, Refused):
             return times
-        joints = joints_of_tcp(robot, points, motion, times, tcp_from_flange, start, first)
-        if isinstance(joints, Refused):
-            return joints
-        return _of_tcp(robot, points, attitudes, flange_from_tcp, plan, motion, times, joints, dt)
+        found = joints_of_tcp(robot, points, motion, times, tcp_from_flange, start, first)
+        if isinstance(found, Refused):
+            return found
+        return _of_tcp(robot, points, attitudes, flange_from_tcp, plan, motion, times, found, dt)
 
     at_points = posed(points.positions, attitudes)
     knots = solved(robot, at_points @ tcp_from_flange, start, first)
@@ -181,14 +187,13 @@ def _of_tcp(
     plan: Plan,
     motion: TcpMotion,
     times: Array,
-    joints: Array,
+    found: TcpJoints,
     dt: float,
 ) -> FollowedTrajectory | Refused:
     wanted, segment = motion.at(times)
-    step = np.abs(np.diff(joints, axis=0))
+    joints = found.joints
     base_from_tcp = robot.forward(joints) @ flange_from_tcp
     off = vector_from_rotation(np.swapaxes(wanted.rotation, -1, -2) @ base_from_tcp.rotation)
-    peaks = (step / np.diff(times)[:, None]).max(axis=0)
     speeds = np.zeros(len(times))
     for number, began in enumerate(motion.starts[:-1].tolist()):
         at = (times >= began) & (times <= motion.starts[number + 1])
@@ -205,7 +210,7 @@ def _of_tcp(
         wanted=wanted,
         deviation=np.linalg.norm(base_from_tcp.translation - wanted.translation, axis=1),
         turn_deviation=float(np.linalg.norm(off, axis=1).max()),
-        joint_peaks=peaks,
+        joint_peaks=found.peaks,
         overshoot=np.zeros(len(robot.joints)),
         path_length=motion.travel,
         peak_speed=motion.peak_speed,

@@ -12,57 +12,97 @@ from rapidsim.frames.transform import Array, Transform
 from rapidsim.motion.configurations.branch_choice import least_motion
 from rapidsim.motion.configurations.confdata import confdata_of, has_branches
 from rapidsim.motion.configurations.reachability import limit_excess, unreachable_reason
+from rapidsim.motion.kinematics.unwrapping import turning
 from rapidsim.motion.robot.robot import Robot
-from rapidsim.motion.waypoints.branch_jumps import jump_on
-from rapidsim.motion.waypoints.branch_paths import BranchPath, branch_paths
+from rapidsim.motion.waypoints.branch_jumps import DECIDED_S, jump_on, with_small_steps
+from rapidsim.motion.waypoints.branch_paths import BranchPath, branch_paths, steps_of_branches
 from rapidsim.motion.waypoints.plan import Refused, TcpMotion
 from rapidsim.motion.waypoints.points import Points
+from rapidsim.values import value_class
 
 NOT_FROM_THERE = "it can be reached, but not in the configuration in which the arm arrives"
 _SEARCHED_AT_ONCE = 8
+
+
+@value_class(frozen=True, slots=True, eq=False)
+class TcpJoints:
+    """Joints along a motion of the TCP."""
+
+    joints: Array
+    """Shape (k, n) [rad]"""
+    peaks: Array
+    """Shape (n,) [rad/s]: largest speeds."""
 
 
 def joints_of_tcp(
     robot: Robot,
     points: Points,
     motion: TcpMotion,
-    times: Array,
+    sampled: Array,
     tcp_from_flange: Transform,
     start: Array | None,
     first: Array | None,
-) -> Array | Refused:
-    """Return joints (k, n) [rad] at times (k,) [s] of a motion of the TCP.
+) -> TcpJoints | Refused:
+    """Return joints at times (k,) [s] of a motion of the TCP.
 
     Args:
         robot: The arm.
         points: The points of the motion, for messages.
         motion: The motion of the TCP.
-        times: Times close to one another.
+        sampled: The times.
         tcp_from_flange: Inverse of the tool.
         start: Joints (n,) [rad] near which to begin.
         first: Joints (n,) [rad] at the first point; if None and the solution with the least
             motion would have to change configurations, a configuration that works throughout is
             used.
     """
-    wanted, segment = motion.at(times)
-    base_from_flange = wanted @ tcp_from_flange
+    turns = robot.kinematics.turns
+
+    def flange_at(times: Array) -> Transform:
+        return motion.at(times)[0] @ tcp_from_flange
+
+    def steps_of_solution(times: Array) -> Array:
+        joints = solved(robot, flange_at(times), start, first)
+        if isinstance(joints, int):
+            return np.zeros(len(times) - 1)
+        largest: Array = np.abs(turning(np.diff(joints, axis=0), turns)).max(axis=1)
+        return largest
+
+    times = with_small_steps(_grid(sampled), steps_of_solution)
+    base_from_flange, segment = flange_at(times), motion.at(times)[1]
     joints = solved(robot, base_from_flange, start, first)
     jump = None
     if not isinstance(joints, int):
         jump = jump_on(robot, motion, tcp_from_flange, times, joints)
         if jump is None:
-            return joints
+            return _at_samples(times, joints, sampled)
     if not has_branches(robot.kinematics):
         return _not_searched(robot, points, base_from_flange, segment, times, joints, jump)
     # Without first joints, the message is about the configuration with the least motion.
     begin = first if first is not None or isinstance(joints, int) else joints[0]
-    ways = branch_paths(robot, base_from_flange, begin)
+    times = with_small_steps(times, lambda tried: steps_of_branches(robot, flange_at(tried), begin))
+    ways = branch_paths(robot, times, flange_at(times), begin)
     if first is None:
         for way in sorted(ways, key=lambda one: one.travel):
             free = way.message is None
             if free and jump_on(robot, motion, tcp_from_flange, times, way.joints) is None:
-                return way.joints
-    return _path_failure(robot, points, segment, times, ways, begin)
+                return _at_samples(times, way.joints, sampled)
+    return _path_failure(robot, points, motion.at(times)[1], times, ways, begin)
+
+
+def _grid(sampled: Array) -> Array:
+    """Return times (k,) with more where they are farther apart than those of a decision."""
+    wide = np.maximum(np.ceil(np.diff(sampled) / DECIDED_S - 1e-9).astype(np.int64), 1)
+    number = np.arange(wide.sum()) - np.repeat(np.cumsum(wide) - wide, wide)
+    share = number / np.repeat(wide, wide)
+    step = np.repeat(np.diff(sampled), wide)
+    return np.append(np.repeat(sampled[:-1], wide) + share * step, sampled[-1])
+
+
+def _at_samples(times: Array, joints: Array, sampled: Array) -> TcpJoints:
+    """Return joints (k, n) of times (k,) at those that are sampled, with the peaks of all."""
+    speeds = np.abs(np.diff(joints, axis=0)) / np.diff(times)[:, None]
+    return TcpJoints(joints[np.searchsorted(times, sampled)], speeds.max(axis=0))
 
 
 def _path_failure(

@@ -31,6 +31,7 @@ from rapidsim.report.run.long_programs import (
 )
 from rapidsim.report.run.records import MoveRecord, WaitRecord, move_records, wait_records
 from rapidsim.report.run.run_models import RunModels, models
+from rapidsim.report.run.timings import RunTimings
 from rapidsim.report.run.verdicts import (
     NOTHING_ASKED,
     AssertionVerdict,
@@ -230,6 +231,8 @@ class RunReport(OutputRecord):
     assertions: tuple[AssertionVerdict, ...] = ()
     cycle_budget: BudgetVerdict | None = None
     models: Lenient[RunModels] = RunModels()
+    timings: OrAbsent[RunTimings] = None
+    """Processor time by parts, with `--timings` only."""
     files: RunFiles = RunFiles()
     cell: Annotated[RunCollisions | None, ValueForm.INLINE] = None
 
@@ -240,9 +243,11 @@ def run_json(
     findings: Sequence[Diagnostic],
     files: RunFiles,
     judgement: Verdicts = NOTHING_ASKED,
+    timings: RunTimings | None = None,
 ) -> dict[str, Any]:
     """The object that `rapidsim run --format json` prints."""
-    return json_of(run_report(simulation, figures, findings, files, judgement))
+    report = run_report(simulation, figures, findings, files, judgement)
+    return json_of(replace(report, timings=timings))
 
 
 def run_report(

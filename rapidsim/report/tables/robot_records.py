@@ -137,6 +137,10 @@ class WorkspaceRecord:
 
     of: ClassVar[str] = "flange"
     volume_m3: float
+    wrist_centre_m3: float | None
+    """Volume that the wrist centre reaches; null for arms without a spherical wrist."""
+    known_wrist_centre_m3: float | None
+    """A figure for that from elsewhere; null if there is none."""
     from_axis_1_mm: tuple[float, ...]
     """Least and greatest distance."""
     height_mm: tuple[float, ...]
@@ -195,10 +199,11 @@ def robot_page_record(
     aliases: tuple[str, ...],
     tables: AxisTables | None,
     workspace: ArmWorkspace | str | None,
+    of_wrist: ArmWorkspace | str | None,
     cycle: PickingCycle | None,
 ) -> RobotPageRecord:
     """The record of one arm, with its tables, its workspace and its cycle if requested."""
-    requested = None if workspace is None else RequestedWorkspace(_workspace(workspace))
+    requested = None if workspace is None else RequestedWorkspace(_workspace(workspace, of_wrist))
     cycled = None if cycle is None else RequestedCycle(_cycle(robot, cycle))
     return RobotPageRecord(robot_record(robot, aliases), tables, requested, cycled)
 
@@ -280,12 +285,17 @@ def _joint(joint: Joint) -> JointRecord:
     )
 
 
-def _workspace(workspace: ArmWorkspace | str) -> WorkspaceRecord | None:
+def _workspace(
+    workspace: ArmWorkspace | str, of_wrist: ArmWorkspace | str | None
+) -> WorkspaceRecord | None:
     if isinstance(workspace, str):
         return None
     near, far, low, high = (1000.0 * value for value in workspace.extent)
+    known = workspace.robot.wrist_centre_volume
     return WorkspaceRecord(
         volume_m3=workspace.volume,
+        wrist_centre_m3=of_wrist.volume if isinstance(of_wrist, ArmWorkspace) else None,
+        known_wrist_centre_m3=known.volume_m3 if known else None,
         from_axis_1_mm=(near, far),
         height_mm=(low, high),
         around_deg=degrees(workspace.swept),

@@ -74,8 +74,10 @@ def _lenders(robots: Sequence[Robot]) -> Iterator[str]:
         yield f"those of {lender}: {', '.join(names)}"
 
 
-def workspace_page(workspace: ArmWorkspace | str) -> RenderableType:
-    """Volume and extents of what the flange reaches."""
+def workspace_page(
+    workspace: ArmWorkspace | str, of_wrist: ArmWorkspace | str | None
+) -> RenderableType:
+    """Volume and extents of what the flange reaches, and the volume of the wrist centre."""
     if isinstance(workspace, str):
         return Text(f"no workspace: {workspace}", "dim")
     near, far, low, high = (f"{1000.0 * value:.0f} mm" for value in workspace.extent)
@@ -83,6 +85,10 @@ def workspace_page(workspace: ArmWorkspace | str) -> RenderableType:
     facts.add_column(style="cyan", no_wrap=True)
     facts.add_column()
     facts.add_row("workspace", f"{workspace.volume:.2f} m3, of the flange in any orientation")
+    if isinstance(of_wrist, ArmWorkspace):
+        known = workspace.robot.wrist_centre_volume
+        beside = "" if known is None else f"; {known.volume_m3:g} m3: {known.source}"
+        facts.add_row("wrist centre", f"{of_wrist.volume:.2f} m3{beside}")
     facts.add_row("from axis 1", f"{near} to {far}")
     facts.add_row("height", f"{low} to {high}")
     facts.add_row("around", f"{degrees(workspace.swept):.0f} deg")

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import asyncio
 import logging
+import signal
 import socket
 import ssl
 import struct
@@ -52,6 +53,16 @@ class OpenPort:
         for one in self._sockets:
             one.close()
         await self._runner.cleanup()
+
+
+def end_signal() -> asyncio.Event:
+    """Return what is set at Ctrl-C and SIGTERM."""
+    over = asyncio.Event()
+    for number in (signal.SIGINT, signal.SIGTERM):
+        # Windows has none in a loop; Ctrl-C raises KeyboardInterrupt there.
+        with suppress(NotImplementedError):
+            asyncio.get_running_loop().add_signal_handler(number, over.set)
+    return over
 
 
 async def listen(

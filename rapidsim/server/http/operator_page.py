@@ -37,7 +37,7 @@ _VIEWS: Final = MappingProxyType(
     | {"module": "text/plain", "backup.zip": "application/zip"}
 )
 """Kind of each part that the engine answers."""
-_HEADERS: Final = MappingProxyType(
+HEADERS: Final = MappingProxyType(
     {
         "Content-Security-Policy": "default-src 'none'; script-src 'self'; style-src 'self'; "
         "connect-src 'self'; img-src data:; base-uri 'none'; form-action 'none'; "
@@ -47,6 +47,7 @@ _HEADERS: Final = MappingProxyType(
         "Cache-Control": "no-store",
     }
 )
+"""Headers of a page that loads nothing of others and is shown in no frame of theirs."""
 Ask: TypeAlias = Callable[[Inquiry], Awaitable[Reply]]
 
 
@@ -66,7 +67,7 @@ async def serve_operator_page(
             if request.path.endswith("/ui/"):
                 raise web.HTTPFound("/ui")
             file, kind = _FILES[name]
-            return _response(_read(file), kind)
+            return _response(script(file), kind)
         case "GET", view if view in _VIEWS:
             return _replied(await move_request(ReadState(view, dict(request.query))), _VIEWS[view])
         case "POST", "do":
@@ -88,18 +89,19 @@ async def serve_operator_page(
 
 
 @cache
-def _read(name: str) -> bytes:
+def script(name: str) -> bytes:
+    """Return a file of the page, or of the reports."""
     file = _FOLDER / name
     return (file if file.is_file() else _SHARED / name).read_bytes()
 
 
 def _replied(reply: Reply, kind: str = _JSON) -> web.Response:
     if isinstance(reply, ErrorAnswer):
-        return web.Response(status=reply.status, text=reply.message, headers=_HEADERS)
+        return web.Response(status=reply.status, text=reply.message, headers=HEADERS)
     return _response(reply.content, kind)
 
 
 def _response(body: bytes | None, kind: str) -> web.Response:
     if body is None:
-        return web.Response(status=204, headers=_HEADERS)
-    return web.Response(body=body, content_type=kind, charset="utf-8", headers=_HEADERS)
+        return web.Response(status=204, headers=HEADERS)
+    return web.Response(body=body, content_type=kind, charset="utf-8", headers=HEADERS)

@@ -2,17 +2,14 @@
 
 from __future__ import annotations
 
-from typing import Final
-
+from rapidsim.motion.configurations.jog_steps import JogFrame
 from rapidsim.server.derived_parameters import robots
 from rapidsim.server.messages import DONE, Answer, Fields, Request
 from rapidsim.server.resources.codes import NOT_FOUND, refused
 from rapidsim.server.resources.context import RequestContext, chosen, count, number
 from rapidsim.simulation.live import jogging
-from rapidsim.simulation.live.jogging import JogFrame
 from rapidsim.simulation.live.live_task import LiveTask
-
-_DIRECTIONS: Final = 6
+from rapidsim.simulation.live.states import RefusalReason, RequestRefused
 
 
 def jog(context: RequestContext, request: Request) -> Answer:
@@ -56,15 +53,9 @@ def jog_panel(context: RequestContext, query: Fields) -> dict[str, object]:
     frame = chosen(query, "frame", JogFrame)
     length, angle = number(query, "length"), number(query, "angle")
     arm = jogging.jog_arm(task)
-    is_joints = frame is JogFrame.JOINTS
-    steps: list[dict[str, object]] = []
-    for axis in range(len(arm.joints) if is_joints else _DIRECTIONS):
-        size = angle if is_joints or axis >= _DIRECTIONS // 2 else length
-        reasons = [
-            arm.reason_against(jogging.step_of(task, arm, frame, axis, sign * size))
-            for sign in (-1.0, 1.0)
-        ]
-        steps.append({"axis": axis + 1, "size": size, "reasons": reasons})
+    steps = arm.steps(jogging.frame_of(task, arm, frame), length, angle)
+    if isinstance(steps, str):
+        raise RequestRefused(RefusalReason.VALUE, steps)
     return {
         "reason": jogging.reason_against_jogging(live, task),
         "steps": steps,

@@ -71,6 +71,7 @@ def _state(context: RequestContext, query: Fields) -> dict[str, object]:
         "clock": f"{live.date:%Y-%m-%d %H:%M:%S}",
         "executes": live.executes,
         "motors": live.panel.state.value,
+        "pressed": live.panel.is_pressed,
         "mode": live.panel.mode.value,
         "speed": live.panel.speed_ratio,
         "cycle": live.cycle.value,

@@ -46,6 +46,20 @@ def set_state(context: RequestContext, request: Request) -> Answer:
     return DONE
 
 
+class _Button(StrEnum):
+    """States of the button of the emergency stop, in our own words: no client has one."""
+
+    PRESSED = "pressed"
+    RELEASED = "released"
+
+
+def set_emergency_stop(context: RequestContext, request: Request) -> Answer:
+    """Press or release the button of the emergency stop."""
+    button = chosen(request.form, "emergency-stop", _Button)
+    context.live.panel.press_emergency_stop(is_pressed=button is _Button.PRESSED)
+    return DONE
+
+
 def restart(context: RequestContext, request: Request) -> Answer:
     """Restart the controller: warm, or cold with programs and data as at the start."""
     is_warm = chosen(request.form, "restart-mode", _RestartMode) is _RestartMode.WARM

@@ -11,6 +11,7 @@ from __future__ import annotations
 import re
 from collections import deque
 from collections.abc import Callable, Iterator
+from pathlib import Path
 from typing import Final
 
 from rapidsim.diagnostics import Diagnostic
@@ -125,7 +126,9 @@ class EventLog:
             The error that traps receive, with texts no longer than a string of RAPID.
         """
         given = _CF.search(diagnostic.violation.cf or "")
-        where = f" ({diagnostic.file}, line {diagnostic.line})" if diagnostic.file else ""
+        # Clients read this: no folder of the computer, only the name of the file.
+        file = Path(diagnostic.file or "").name
+        where = f" ({file}, line {diagnostic.line})" if file else ""
         rule = diagnostic.violation.rule.name.replace("-", " ")
         code = int(given[0]) if given else _WITHOUT_NUMBER
         title = rule[:1].upper() + rule[1:]

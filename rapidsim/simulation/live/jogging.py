@@ -7,7 +7,6 @@ on its path is not jogged, for the path would then begin where the robot no long
 from __future__ import annotations
 
 import math
-from enum import StrEnum
 from typing import TYPE_CHECKING, Final
 
 import numpy as np
@@ -15,7 +14,7 @@ import numpy as np
 from rapidsim.frames.transform import Array, Transform
 from rapidsim.language.data import WobjData
 from rapidsim.motion.configurations import targets
-from rapidsim.motion.configurations.jog_steps import JogArm, JogStep
+from rapidsim.motion.configurations.jog_steps import JogArm, JogFrame, JogStep
 from rapidsim.motion.geometry.segments import Waypoint
 from rapidsim.motion.guidance.joint_law import CYCLE_S, GuidedAxes
 from rapidsim.motion.guidance.return_motion import return_motion
@@ -35,23 +34,9 @@ _TCP_SPEED: Final = 0.25
 """Fastest TCP [m/s] in manual mode."""
 _AXIS_SHARE: Final = 0.25
 """Share of the speed of axes that a step uses."""
-_LONGEST: Final = 0.2
-"""Longest step [m]."""
-_WIDEST: Final = math.radians(30.0)
-"""Widest step [rad]."""
 _RAMPED: Final = 1.875
 """Peak speed of a step over its mean."""
 _PLACES: Final = 21
-
-
-class JogFrame(StrEnum):
-    """The frame along whose axes the TCP is jogged; or the axes of the arm."""
-
-    JOINTS = "joints"
-    BASE = "base"
-    WORLD = "world"
-    TOOL = "tool"
-    WOBJ = "wobj"
 
 
 def jog_arm(task: LiveTask) -> JogArm:
@@ -160,15 +145,10 @@ def step_of(task: LiveTask, arm: JogArm, frame: JogFrame, axis: int, distance: f
     Raises:
         RequestRefused: If there is no such axis, or the step is too long.
     """
-    base_from_frame = frame_of(task, arm, frame)
-    count = len(arm.joints) if base_from_frame is None else 6
-    if not 0 <= axis < count:
-        raise RequestRefused(RefusalReason.VALUE, f"there is no axis {axis + 1}")
-    is_length = base_from_frame is not None and axis < 3
-    size = targets.MM * distance if is_length else math.radians(distance)
-    if not abs(size) <= (_LONGEST if is_length else _WIDEST):
-        raise RequestRefused(RefusalReason.VALUE, "a step is at most 30 degrees or 200 mm")
-    return JogStep(axis, size, base_from_frame)
+    step = arm.step(frame_of(task, arm, frame), axis, distance)
+    if isinstance(step, str):
+        raise RequestRefused(RefusalReason.VALUE, step)
+    return step
 
 
 def _motion(task: LiveTask, arm: JogArm, step: JogStep) -> Array | str:

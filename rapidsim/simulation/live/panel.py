@@ -112,6 +112,8 @@ class Panel:
     """Speed of later moves, in percent of the programmed speed."""
     open: dict[SafetyStop, int] = field(default_factory=dict)
     """Number of causes that open each part of the safety chain; without closed parts."""
+    is_pressed: bool = False
+    """Whether the operator has pressed the button of the emergency stop."""
 
     @property
     def is_chain_closed(self) -> bool:
@@ -171,6 +173,14 @@ class Panel:
             closed = PanelEvent.GUARD_CLOSED
             self.handle(PanelEvent.EMERGENCY_CLOSED if is_emergency else closed)
             self.owner.panel_changed()
+
+    def press_emergency_stop(self, *, is_pressed: bool) -> None:
+        """Press the button of the emergency stop, or release it."""
+        if is_pressed is self.is_pressed:
+            return
+        self.is_pressed = is_pressed
+        change = self.open_chain if is_pressed else self.close_chain
+        change(SafetyStop.EMERGENCY)
 
     def set_mode(self, mode: OperatingMode) -> None:
         """Turn the mode key, which stops the programs; to or from AUTO the motors are switched off.

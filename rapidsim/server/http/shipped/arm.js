@@ -5,11 +5,12 @@ const look = { turn: -0.9, lift: 0.35 };
 const TURN_OF_KEY = { ArrowLeft: [-0.1, 0], ArrowRight: [0.1, 0], ArrowUp: [0, 0.1], ArrowDown: [0, -0.1] };
 const GRID_MM = 500;
 
-// A picture of an arm (`links`, `bodies`) on a canvas: `show` draws it at joints [deg, mm].
+// A picture of an arm (`links`, `bodies`) on a canvas: `show` draws it at joints [deg, mm], with
+// objects (`parts` at `turn` and `place` in base) and the TCP [mm] if it is not the flange.
 function armPicture(canvas, arm) {
   const base = { turn: [1, 0, 0, 0, 1, 0, 0, 0, 1], place: [0, 0, 0] };
-  const reach = Math.max(300, arm.links.reduce((sum, link) => sum + Math.hypot(...link.place), 0));
-  let shown = arm.limits.map(() => 0);
+  const reach = arm.reach || Math.max(300, arm.links.reduce((sum, link) => sum + Math.hypot(...link.place), 0));
+  let shown = arm.limits.map(() => 0), objects = [], tip = null;
 
   function draw() {
     const ratio = window.devicePixelRatio || 1, width = canvas.clientWidth, height = canvas.clientHeight;
@@ -23,9 +24,12 @@ function armPicture(canvas, arm) {
     const at = (point) => seen(eye, point, width, height);
     drawGrid(pen, at, style.getPropertyValue("--rule"));
     const frames = framesOf(base, arm.links, shown);
-    drawOutlines(pen, arm.bodies.map(({ link, corners, colour }) => outlineOf(frames[link], corners, colour, at)));
+    drawOutlines(pen, [
+      ...arm.bodies.map(({ link, corners, colour }) => outlineOf(frames[link], corners, colour, at)),
+      ...objects.flatMap((one) => one.parts.map((corners) => outlineOf(one, corners, one.colour, at))),
+    ]);
     if (!arm.bodies.length) line(pen, frames.map((frame) => at(frame.place)), style.getPropertyValue("--accent"), 6);
-    const [x, y] = at(frames.at(-1).place);
+    const [x, y] = at(tip || frames.at(-1).place);
     pen.beginPath();
     pen.arc(x, y, 4, 0, 7);
     pen.fillStyle = style.getPropertyValue("--accent");
@@ -63,5 +67,5 @@ function armPicture(canvas, arm) {
   };
   new ResizeObserver(draw).observe(canvas);
   window.matchMedia("(prefers-color-scheme: dark)").addEventListener("change", draw);
-  return { show(joints) { shown = joints; draw(); } };
+  return { show(joints, around = [], tcp = null) { [shown, objects, tip] = [joints, around, tcp]; draw(); } };
 }

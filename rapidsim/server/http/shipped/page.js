@@ -49,17 +49,22 @@ function shownTask() {
   return state.tasks.find((one) => one.name === $("task").value) || state.tasks[0];
 }
 
+const WORDS = {
+  motoron: "motors on", guardstop: "guard stop", emergencystop: "emergency stop",
+  emergencystopreset: "emergency stop released",
+};
+
 function showHead() {
   const runs = state.executes ? ["running", "on"] : ["stopped", "off"];
   const motors = state.motors === "motoron";
   $("state").replaceChildren(
-    element("b", runs[0], runs[1]), ` · motors ${motors ? "on" : "off"} · ${state.mode} · ${state.speed} % · ${state.time.toFixed(1)} s`,
+    element("b", runs[0], runs[1]), ` · ${WORDS[state.motors] || "motors off"} · ${state.mode} · ${state.speed} % · ${state.time.toFixed(1)} s`,
   );
   $("start").disabled = state.executes || !motors;
   $("stop").disabled = !state.executes;
   for (const id of ["step", "over"]) $(id).disabled = $("start").disabled;
   for (const id of ["main", "go", "upload", "unload"]) $(id).disabled = state.executes;
-  $("quick").disabled = !motors;
+  $("emergency").textContent = state.pressed ? "Release emergency stop" : "Emergency stop";
   if (document.activeElement !== $("mode")) $("mode").value = state.mode;
   if (document.activeElement !== $("speed")) { $("speed").value = state.speed; $("percent").textContent = `${state.speed} %`; }
   $("speed").disabled = state.mode !== "AUTO";
@@ -342,7 +347,7 @@ $("upload").onchange = upload;
 $("mode").onchange = () => { const opmode = $("mode").value; $("mode").blur(); act("/rw/panel/opmode", "setopmode", { opmode }); };
 $("speed").oninput = () => { $("percent").textContent = `${$("speed").value} %`; };
 $("speed").onchange = () => { const ratio = $("speed").value; $("speed").blur(); act("/rw/panel/speedratio", "setspeedratio", { "speed-ratio": ratio }); };
-$("quick").onclick = () => act("/rw/panel/ctrlstate", "setctrlstate", { "ctrl-state": "motoroff" });
+$("emergency").onclick = () => act("/rw/panel", "emergencystop", { "emergency-stop": state.pressed ? "released" : "pressed" });
 $("text").onclick = (event) => { const line = event.target.closest("li"); if (line && !String(getSelection())) toggleBreak(line); };
 $("text").onkeydown = textKey;
 $("jogging").ontoggle = () => refresh();
