@@ -75,6 +75,7 @@ def test_every_file_says_only_what_is_read(robot: Robot) -> None:
     table = tomllib.loads(text)
     known = "name title maker structure payload_kg reach_m sources checks notes not_modelled flange"
     tables = "notices geometry_mm zero joint dynamics shape torques accelerations picking_cycle"
+    tables += " wrist_centre_volume"
     assert set(table) <= {*known.split(), *tables.split(), "link_excess_mm", "unconfirmed_speeds"}
     assert table["maker"] in MAKERS
     assert table["title"].startswith(table["maker"])
