@@ -14,6 +14,7 @@ from dataclasses import replace
 import numpy as np
 
 from rapidsim.collisions.body_distance import Bodies, Gaps
+from rapidsim.collisions.bounds_tree import first_of_each
 from rapidsim.collisions.contact import FARTHEST_M, Clearance, CollisionReport, Contact
 from rapidsim.collisions.convex import Index, Mask
 from rapidsim.collisions.intervals import PairIntervals, unseen
@@ -23,6 +24,7 @@ from rapidsim.collisions.scene import SHORTEST_S, STEP_S, Scene
 from rapidsim.collisions.shape import is_inside
 from rapidsim.collisions.travel import LONGEST, Travel, straight
 from rapidsim.frames.transform import Array, Transform
+from rapidsim.repeated_rows import divided
 from rapidsim.values import value_class
 
 _NEARER_M, _NEARER = 5e-4, 0.02
@@ -96,10 +98,10 @@ def _sample_times(scene: Scene, end_s: float) -> list[Array]:
 def _stepped(begin: float, between: Array, end: float) -> Array:
     """Return instants [s] from begin to end, at most a step apart, including those in `between`."""
     edges = np.concatenate([[begin], between, [end]])
-    wide = np.diff(edges)
-    steps = np.maximum(np.ceil(wide / STEP_S), 2 if len(edges) == 2 else 1).astype(np.int64)
-    number = np.arange(steps.sum()) - np.repeat(np.cumsum(steps) - steps, steps)
-    return np.append(np.repeat(edges[:-1], steps) + number * np.repeat(wide / steps, steps), end)
+    steps = np.maximum(np.ceil(np.diff(edges) / STEP_S), 2 if len(edges) == 2 else 1).astype(
+        np.int64
+    )
+    return divided(edges, steps)
 
 
 @value_class(frozen=True, slots=True, eq=False)
@@ -282,14 +284,9 @@ class _Search:
     def _nearest_of_moves(self, some: PairIntervals, least: Array) -> Mask:
         """Mask of the intervals of each move that most likely contain its nearest point."""
         owner, _, move = self._moves(some)
-        order = np.lexsort((least, move, owner))
-        starts = np.flatnonzero(
-            np.diff(owner[order], prepend=-1) | np.diff(move[order], prepend=-1)
-        )
-        rank = np.arange(len(order)) - np.repeat(starts, np.diff(starts, append=len(order)))
-        chosen = np.zeros(len(order), dtype=np.bool_)
-        chosen[order[rank < np.clip(_ROUND // max(1, len(starts)), 1, _BEST)]] = True
-        return chosen
+        key = owner * self._wanted.shape[1] + move
+        count = int(np.clip(_ROUND // max(1, len(np.unique(key))), 1, _BEST))
+        return first_of_each(key, least, count)
 
     def _measured(self, some: PairIntervals) -> PairIntervals:
         """Measure the ends of intervals, as far as they are relevant."""

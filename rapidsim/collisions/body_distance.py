@@ -80,9 +80,7 @@ class Bodies:
         """
         roots = self._roots(first, second, second_from_first)
         surfaces = self.has_surfaces(first, second)
-        search = NearestParts(
-            self._parts, self._trees, second_from_first, enough, close, roots.near, surfaces
-        )
+        search = NearestParts(self._trees, second_from_first, enough, close, roots.near, surfaces)
         surfaces = surfaces & (roots.near < enough)
         self._start_from_hulls(search, roots.rows(surfaces), first, second)
         search.follow(roots.rows(search.least < enough))

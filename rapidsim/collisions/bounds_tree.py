@@ -17,6 +17,7 @@ import numpy as np
 from rapidsim.collisions.bounds import Bounds, around, joined
 from rapidsim.collisions.convex import ConvexParts, Index, Mask
 from rapidsim.frames.transform import Array, Transform
+from rapidsim.repeated_rows import repeated
 from rapidsim.values import value_class
 
 _MEMBERS, _FEW = 4, 64
@@ -59,6 +60,7 @@ class BoundsTrees:
             parts: All parts, which are the first nodes.
             bodies: Indices of the parts of each body.
         """
+        self.parts = parts
         count = len(parts.bound)
         no = np.zeros(count, dtype=np.int64)
         levels, members, starts, sizes = [_of_parts(parts)], [no[:0]], [no], [no]
@@ -102,9 +104,7 @@ class BoundsTrees:
         """
         row, found = np.arange(len(node)), node
         while (self._size[found] > 0).any():
-            size = np.maximum(self._size[found], 1)
-            each = np.repeat(np.arange(len(found)), size)
-            number = np.arange(len(each)) - np.repeat(np.cumsum(size) - size, size)
+            each, number = repeated(np.maximum(self._size[found], 1))
             group = self._size[found[each]] > 0
             member = found[each]
             member[group] = self._members[self._start[member[group]] + number[group]]
@@ -132,9 +132,7 @@ class BoundsTrees:
         opens_first = self._size[a] > 0
         opens_first &= (self._size[b] == 0) | (bound[a] >= bound[b])
         opened = np.where(opens_first, a, b)
-        size = self._size[opened]
-        row = np.repeat(np.arange(len(a)), size)
-        number = np.arange(len(row)) - np.repeat(np.cumsum(size) - size, size)
+        row, number = repeated(self._size[opened])
         member = self._members[self._start[opened][row] + number]
         opens = opens_first[row]
         first, second = np.where(opens, member, a[row]), np.where(opens, b[row], member)

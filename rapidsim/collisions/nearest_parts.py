@@ -10,10 +10,11 @@ from __future__ import annotations
 import numpy as np
 
 from rapidsim.collisions.bounds_tree import BoundsTrees, NodePairs, first_of_each
-from rapidsim.collisions.convex import ConvexParts, Index, Mask
+from rapidsim.collisions.convex import Index, Mask
 from rapidsim.collisions.distance import distances
 from rapidsim.collisions.overlap import TOUCH_M, flat_overlaps
 from rapidsim.frames.transform import Array, Transform
+from rapidsim.repeated_rows import repeated
 
 _ROWS_AT_ONCE = 400_000
 _FEW = 400
@@ -33,7 +34,6 @@ class NearestParts:
 
     def __init__(
         self,
-        parts: ConvexParts,
         trees: BoundsTrees,
         second_from_first: Transform,
         enough: Array,
@@ -44,7 +44,7 @@ class NearestParts:
         """Start with no gap found."""
         self._beam = np.where(surfaces, _BEAM, 1)
         self._close = np.broadcast_to(np.asarray(close), (len(enough),))
-        self._parts, self._trees, self.seen = parts, trees, second_from_first
+        self._parts, self._trees, self.seen = trees.parts, trees, second_from_first
         self.least = least.copy()
         """[m]: known lower bounds of the gaps."""
         self.found = np.full(len(enough), np.inf)
@@ -193,6 +193,5 @@ def _matches(first: Index, second: Index) -> tuple[Index, Index, Index]:
         Their keys, and their indices in either list.
     """
     begin, end = (np.searchsorted(second, first, side=one) for one in ("left", "right"))
-    a = np.repeat(np.arange(len(first)), end - begin)
-    number = np.arange(len(a)) - np.repeat(np.cumsum(end - begin) - (end - begin), end - begin)
+    a, number = repeated(end - begin)
     return first[a], a, begin[a] + number

@@ -17,6 +17,7 @@ from rapidsim.frames.transform import Array, Transform
 from rapidsim.language.path_events import AxisRange, Cuboid, Cylinder, Sphere, ZoneShape
 from rapidsim.motion.trajectory.samples import Samples
 from rapidsim.motion.trajectory.trajectory import Trajectory
+from rapidsim.repeated_rows import divided
 
 LOOK_M = 0.001
 _LOOK_S = 0.02
@@ -186,10 +187,7 @@ def _sample_times(preview: Trajectory, start_s: float, end_s: float) -> Array:
 
 def _divided(times: Array, counts: Array) -> Array:
     """Times (k,) with each interval divided into counts (k - 1,) parts, at least one."""
-    whole = np.maximum(counts, 1).astype(int)
-    since = np.arange(whole.sum()) - np.repeat(np.cumsum(whole) - whole, whole)
-    divided: Array = np.repeat(times[:-1], whole) + since * np.repeat(np.diff(times) / whole, whole)
-    return np.append(divided, times[-1])
+    return divided(times, np.maximum(counts, 1).astype(np.int64))
 
 
 def _holds(volume: Cuboid | Cylinder | Sphere, points: Array) -> Array:

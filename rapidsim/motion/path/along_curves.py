@@ -14,6 +14,7 @@ import numpy.typing as npt
 from rapidsim.frames.transform import Array
 from rapidsim.motion.kinematics.arm import Mask
 from rapidsim.motion.kinematics.unwrapping import principal, turning
+from rapidsim.repeated_rows import repeated
 from rapidsim.values import value_class
 
 Index = npt.NDArray[np.int64]
@@ -66,9 +67,7 @@ def spread(cells: Index, closed: Mask) -> tuple[Index, Array]:
     Returns:
         Part of each node, and its position as a share of the part, 0 to 1.
     """
-    count = cells + closed
-    part = np.repeat(np.arange(len(cells)), count)
-    number = np.arange(len(part)) - np.repeat(np.cumsum(count) - count, count)
+    part, number = repeated(cells + closed)
     return part, number / cells[part]
 
 

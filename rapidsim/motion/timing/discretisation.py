@@ -19,6 +19,7 @@ from rapidsim.motion.kinematics.arm import Mask
 from rapidsim.motion.path.path import Path
 from rapidsim.motion.path.path_derivatives import PathRates
 from rapidsim.motion.timing.axis_limits import Limits
+from rapidsim.repeated_rows import repeated
 from rapidsim.values import value_class
 
 _LONGEST_CELL = 0.025
@@ -135,8 +136,7 @@ def _first_cells(
     longest = np.maximum(_LONGEST_CELL, path.length * 1e-4)
     count = np.maximum(least, np.ceil(width / longest)).astype(np.int64)
     count[(layout.bounds[1:] <= first) | (layout.bounds[:-1] >= last)] = 0
-    owner = np.repeat(np.arange(len(width)), count)
-    number = np.arange(len(owner)) - np.repeat(np.cumsum(count) - count, count)
+    owner, number = repeated(count)
     begin = layout.bounds[owner] + width[owner] * (number / count[owner])
     end = np.append(begin[1:], layout.bounds[owner[-1] + 1])
     if start <= 0.0:

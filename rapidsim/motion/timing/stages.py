@@ -15,6 +15,7 @@ from rapidsim.motion.numba_jit import jit_function
 from rapidsim.motion.timing import two_pass_loops
 from rapidsim.motion.timing.constraints import AccelerationRows
 from rapidsim.motion.timing.discretisation import GridCells
+from rapidsim.repeated_rows import repeated
 from rapidsim.values import value_class
 
 LARGEST_X = 1e12
@@ -78,8 +79,7 @@ def stages_of(cells: GridCells, rows: AccelerationRows, parts: int) -> Stages:
 
 def cut(stages: Stages, cells: GridCells, rows: AccelerationRows, parts: Index) -> Stages:
     """Divide each stage into a number (m,) of equal ones."""
-    owner = np.repeat(np.arange(len(parts)), parts)
-    number = np.arange(len(owner)) - np.repeat(np.cumsum(parts) - parts, parts)
+    owner, number = repeated(parts)
     begin, step = stages.begin[owner], ((stages.end - stages.begin) / parts)[owner]
     # The last part ends exactly where its stage did, because ends are compared with stops.
     last = number + 1 == parts[owner]

@@ -17,6 +17,7 @@ from rapidsim.frames.transform import Array
 from rapidsim.motion.kinematics.arm import Mask
 from rapidsim.motion.trajectory.command import Index, MotionCommand
 from rapidsim.motion.trajectory.filter_windows import Windows
+from rapidsim.repeated_rows import repeated
 from rapidsim.values import value_class
 
 _AT_ONCE = 2_000
@@ -150,10 +151,10 @@ def _parts(command: MotionCommand, before: Array, times: Array) -> _Parts:
     stands = place[covered + 1] == place[covered]
     whole = edges[covered + 1] - edges[covered]
     count = np.where(stands, 1, np.ceil(whole / _LONGEST_PART_S)).astype(np.int64)
-    number = np.arange(count.sum()) - np.repeat(np.cumsum(count) - count, count)
-    width = np.repeat(whole / count, count)
-    start = np.repeat(edges[covered], count) + width * number
-    return _integrated(start, width, *_powers(command, start, width, np.repeat(stands, count)))
+    row, number = repeated(count)
+    width = (whole / count)[row]
+    start = edges[covered][row] + width * number
+    return _integrated(start, width, *_powers(command, start, width, stands[row]))
 
 
 def _even_parts(command: MotionCommand, before: Array, times: Array) -> _Parts:

@@ -27,6 +27,7 @@ from rapidsim.motion.timing.time_scaling import TimeScaling
 from rapidsim.motion.trajectory.command import MotionCommand, Piece
 from rapidsim.motion.trajectory.filter_windows import Windows
 from rapidsim.motion.trajectory.zero_crossings import first_crossing
+from rapidsim.repeated_rows import divided
 
 _ROUNDING = 1e-9
 _LEAST_WIDTH_S = 1e-6
@@ -220,9 +221,7 @@ class RampedCommand:
         bend = np.abs(inner - lines).max(axis=0)
         parts = np.ceil(np.sqrt(bend * width / _DEVIATION_M))
         parts = np.clip(parts, 1, _MOST_PARTS).astype(np.int64)
-        number = np.arange(parts.sum()) - np.repeat(np.cumsum(parts) - parts, parts)
-        inner = np.repeat(nodes[:-1], parts) + np.repeat(width / parts, parts) * number
-        return np.append(inner, nodes[-1])
+        return divided(nodes, parts)
 
     def _average(self, times: Array) -> tuple[Array, Array]:
         """Return the averaged position S (k,) [m] and its speed (k,) [m/s] at times (k,) [s]."""
