@@ -8,6 +8,7 @@ short that no axis could move as far.
 from __future__ import annotations
 
 from collections.abc import Callable
+from typing import TypeVar
 
 import numpy as np
 import numpy.typing as npt
@@ -16,6 +17,8 @@ from rapidsim.frames.transform import Array, Transform
 from rapidsim.motion.kinematics.unwrapping import turning
 from rapidsim.motion.robot.robot import Robot
 from rapidsim.motion.waypoints.plan import TcpMotion
+
+Solution = TypeVar("Solution")
 
 DECIDED_S = 0.012
 """Largest time [s] between the samples by which a path is accepted or refused."""
@@ -33,17 +36,21 @@ _HALVINGS = 24
 """Bisections of the time between two samples, after which a branch change is on the path itself."""
 
 
-def with_small_steps(times: Array, steps_at: Callable[[Array], Array]) -> Array:
-    """Return times [s] with more in between where an axis moves far.
+def with_small_steps(
+    times: Array, solve: Callable[[Array], Solution], steps: Callable[[Solution], Array]
+) -> tuple[Array, Solution]:
+    """Return times [s] with more in between where an axis moves far, and their solution.
 
     Args:
         times: Shape (k,), increasing.
-        steps_at: Returns the largest step (k - 1,) [rad] of any axis between times (k,).
+        solve: Solves a motion at times (k,).
+        steps: Returns the largest step (k - 1,) [rad] of any axis in a solution.
     """
     while True:
-        wide = np.flatnonzero((steps_at(times) > _FAR) & (np.diff(times) > _SHORTEST_S))
+        solution = solve(times)
+        wide = np.flatnonzero((steps(solution) > _FAR) & (np.diff(times) > _SHORTEST_S))
         if not len(wide):
-            return times
+            return times, solution
         share = np.arange(1, _PARTS) / _PARTS
         between = times[wide, None] + share * np.diff(times)[wide, None]
         times = np.sort(np.concatenate([times, between.reshape(-1)]))

@@ -7,9 +7,11 @@ over the whole path is reported.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from math import degrees
 
 import numpy as np
+import numpy.typing as npt
 
 from rapidsim.frames.transform import Array, Transform
 from rapidsim.motion.configurations.confdata import confdata_of
@@ -24,6 +26,7 @@ from rapidsim.motion.robot.robot import Robot
 from rapidsim.motion.waypoints.branch_jumps import too_fast
 from rapidsim.values import value_class
 
+Mask = npt.NDArray[np.bool_]
 _EXACT = 1e-9
 """Distance [m] beyond reach of a wrist centre that is only rounding."""
 
@@ -36,6 +39,8 @@ class BranchPath:
     """Values at the first pose: cf1, cf4, cf6, cfx."""
     joints: Array
     """Shape (k, n) [rad]; 0 where it does not reach the pose."""
+    exists: Mask
+    """Shape (k,): the poses that it reaches."""
     message: str | None
     """Reason why the whole path is infeasible in it; None if it is feasible."""
     row: int
@@ -79,17 +84,13 @@ def branch_paths(
     return tuple(sorted(found, key=lambda way: way.severity))
 
 
-def steps_of_branches(robot: Robot, base_from_flange: Transform, first: Array | None) -> Array:
-    """Return the largest steps (k - 1,) [rad] between poses (k,) in any configuration."""
-    arm = robot.kinematics
-    begin = robot.inverse(base_from_flange[:1])
-    largest = np.zeros(len(base_from_flange) - 1)
-    for branch in np.flatnonzero(begin.exists[0]).tolist():
-        near = begin.joints[0, branch] if first is None else first
-        followed = arm.inverse_on_branch(base_from_flange, branch, near)
-        steps = np.abs(turning(np.diff(followed.joints, axis=0), arm.turns)).max(axis=1)
-        steps[~(followed.exists[1:] & followed.exists[:-1])] = 0.0
-        largest = np.maximum(largest, steps)
+def steps_of_branches(robot: Robot, paths: Sequence[BranchPath]) -> Array:
+    """Return the largest steps (k - 1,) [rad] between the poses of paths in any configuration."""
+    found = []
+    for one in paths:
+        steps = np.abs(turning(np.diff(one.joints, axis=0), robot.kinematics.turns)).max(axis=1)
+        found.append(np.where(one.exists[1:] & one.exists[:-1], steps, 0.0))
+    largest: Array = np.max(found, axis=0, initial=0.0)
     return largest
 
 
@@ -104,7 +105,7 @@ def _branch_path(
     times: Array,
     base_from_flange: Transform,
     joints: Array,
-    exists: np.typing.NDArray[np.bool_],
+    exists: Mask,
 ) -> BranchPath:
     conf = tuple(confdata_of(robot.kinematics, joints[0]).tolist())
     excess = limit_excess(robot, joints)
@@ -118,11 +119,11 @@ def _branch_path(
             else "this configuration does not reach it"
         )
         share = float(np.mean(~exists))
-        return BranchPath(conf, joints, why, row, (2, share))
+        return BranchPath(conf, joints, exists, why, row, (2, share))
     if (jump := too_fast(robot, times, joints, exists)) is not None:
         row, joint, size = jump
         why = f"joint {joint + 1} would have to jump by {degrees(size):.0f} deg, at a singularity"
-        return BranchPath(conf, joints, why, row, (3, size))
+        return BranchPath(conf, joints, exists, why, row, (3, size))
     if excess.any():
         row, joint = (int(i) for i in np.unravel_index(np.argmax(np.abs(excess)), excess.shape))
         over = float(excess[row, joint])
@@ -135,5 +136,5 @@ def _branch_path(
             f"{degrees(limit):.0f} {measure}"
         )
         first = int(np.argmax(np.abs(excess).max(axis=1) > 0.0))
-        return BranchPath(conf, joints, why, first, (1, abs(over)))
-    return BranchPath(conf, joints, None, 0, (0, 0.0))
+        return BranchPath(conf, joints, exists, why, first, (1, abs(over)))
+    return BranchPath(conf, joints, exists, None, 0, (0, 0.0))

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from functools import partial
 from math import degrees
 
 import numpy as np
@@ -18,6 +19,7 @@ from rapidsim.motion.waypoints.branch_jumps import DECIDED_S, jump_on, with_smal
 from rapidsim.motion.waypoints.branch_paths import BranchPath, branch_paths, steps_of_branches
 from rapidsim.motion.waypoints.plan import Refused, TcpMotion
 from rapidsim.motion.waypoints.points import Points
+from rapidsim.repeated_rows import divided
 from rapidsim.values import value_class
 
 NOT_FROM_THERE = "it can be reached, but not in the configuration in which the arm arrives"
@@ -56,32 +58,38 @@ def joints_of_tcp(
             motion would have to change configurations, a configuration that works throughout is
             used.
     """
-    turns = robot.kinematics.turns
 
     def flange_at(times: Array) -> Transform:
         return motion.at(times)[0] @ tcp_from_flange
 
-    def steps_of_solution(times: Array) -> Array:
-        joints = solved(robot, flange_at(times), start, first)
+    def steps_of_solution(joints: Array | int) -> Array:
         if isinstance(joints, int):
-            return np.zeros(len(times) - 1)
-        largest: Array = np.abs(turning(np.diff(joints, axis=0), turns)).max(axis=1)
+            return np.zeros(1)
+        steps = np.abs(turning(np.diff(joints, axis=0), robot.kinematics.turns))
+        largest: Array = steps.max(axis=1)
         return largest
 
-    times = with_small_steps(_grid(sampled), steps_of_solution)
-    base_from_flange, segment = flange_at(times), motion.at(times)[1]
-    joints = solved(robot, base_from_flange, start, first)
+    times, joints = with_small_steps(
+        _grid(sampled),
+        lambda tried: solved(robot, flange_at(tried), start, first),
+        steps_of_solution,
+    )
     jump = None
     if not isinstance(joints, int):
         jump = jump_on(robot, motion, tcp_from_flange, times, joints)
         if jump is None:
             return _at_samples(times, joints, sampled)
     if not has_branches(robot.kinematics):
-        return _not_searched(robot, points, base_from_flange, segment, times, joints, jump)
+        wanted, segment = motion.at(times)
+        poses = wanted @ tcp_from_flange
+        return _not_searched(robot, points, poses, segment, times, joints, jump)
     # Without first joints, the message is about the configuration with the least motion.
     begin = first if first is not None or isinstance(joints, int) else joints[0]
-    times = with_small_steps(times, lambda tried: steps_of_branches(robot, flange_at(tried), begin))
-    ways = branch_paths(robot, times, flange_at(times), begin)
+    times, ways = with_small_steps(
+        times,
+        lambda tried: branch_paths(robot, tried, flange_at(tried), begin),
+        partial(steps_of_branches, robot),
+    )
     if first is None:
         for way in sorted(ways, key=lambda one: one.travel):
             free = way.message is None
@@ -93,10 +101,7 @@ def joints_of_tcp(
 def _grid(sampled: Array) -> Array:
     """Return times (k,) with more where they are farther apart than those of a decision."""
     wide = np.maximum(np.ceil(np.diff(sampled) / DECIDED_S - 1e-9).astype(np.int64), 1)
-    number = np.arange(wide.sum()) - np.repeat(np.cumsum(wide) - wide, wide)
-    share = number / np.repeat(wide, wide)
-    step = np.repeat(np.diff(sampled), wide)
-    return np.append(np.repeat(sampled[:-1], wide) + share * step, sampled[-1])
+    return divided(sampled, wide)
 
 
 def _at_samples(times: Array, joints: Array, sampled: Array) -> TcpJoints:
