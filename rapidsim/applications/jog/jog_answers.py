@@ -171,17 +171,10 @@ class JogAnswers:
         return JogArm(self.cell.robot, targets.tcp_from_flange(tool), joints), tool, wobj
 
     def _frame(self, arm: JogArm, wobj: WobjData, frame: JogFrame) -> Transform | None:
-        match frame:
-            case JogFrame.JOINTS:
-                return None
-            case JogFrame.BASE:
-                return Transform.identity()
-            case JogFrame.WORLD:
-                return self.cell.base_from_world
-            case JogFrame.TOOL:
-                return arm.base_from_tcp
-            case JogFrame.WOBJ:
-                return targets.base_from_object(wobj, self.cell.base_from_world)
+        base_from_world = self.cell.base_from_world
+        return arm.base_from_frame(
+            frame, base_from_world, lambda: targets.base_from_object(wobj, base_from_world)
+        )
 
     @cached_property
     def _drawn_arm(self) -> dict[str, object] | None:

@@ -7,6 +7,7 @@ line. All that a jog panel needs to know of an arm before it moves is here.
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from enum import StrEnum
 from typing import Final
 
@@ -71,6 +72,25 @@ class JogArm:
     def base_from_tcp(self) -> Transform:
         """Pose of the TCP."""
         return self.robot.forward(self.joints) @ self.tcp_from_flange.inverse()
+
+    def base_from_frame(
+        self,
+        frame: JogFrame,
+        base_from_world: Transform,
+        base_from_object: Callable[[], Transform],
+    ) -> Transform | None:
+        """Return the pose of a frame to jog along; None for the axes of the arm."""
+        match frame:
+            case JogFrame.JOINTS:
+                return None
+            case JogFrame.BASE:
+                return Transform.identity()
+            case JogFrame.WORLD:
+                return base_from_world
+            case JogFrame.TOOL:
+                return self.base_from_tcp
+            case JogFrame.WOBJ:
+                return base_from_object()
 
     def step(self, base_from_frame: Transform | None, axis: int, distance: float) -> JogStep | str:
         """Return a step of so many degrees or mm along an axis from 0; or why there is none."""

@@ -58,17 +58,10 @@ def jog_arm(task: LiveTask) -> JogArm:
 def frame_of(task: LiveTask, arm: JogArm, frame: JogFrame) -> Transform | None:
     """Return base_from_frame; None for the axes of the arm."""
     base_from_world = task.run.controller.coordination.resolver.base_from_world
-    match frame:
-        case JogFrame.JOINTS:
-            return None
-        case JogFrame.BASE:
-            return Transform.identity()
-        case JogFrame.WORLD:
-            return base_from_world
-        case JogFrame.TOOL:
-            return arm.base_from_tcp
-        case JogFrame.WOBJ:
-            return base_from_world @ _object(task.run.controller.motion.active_wobj())
+    motion = task.run.controller.motion
+    return arm.base_from_frame(
+        frame, base_from_world, lambda: base_from_world @ _object(motion.active_wobj())
+    )
 
 
 def _object(wobj: WobjData) -> Transform:
