@@ -204,7 +204,6 @@ def follow(options: FollowRequest) -> int:
     from rapidsim.applications.follow.follow_steps import (
         attempt,
         attempt_all,
-        compared_pictures,
         prepared,
         started,
         unused,
@@ -217,8 +216,8 @@ def follow(options: FollowRequest) -> int:
     recording = new_recording(options.record) if options.record else None
     trace_file = new_trace(options.trace) if options.trace else None
     pictures = new_plots(options.plots) if options.plots else None
-    of_one = bool(recording or trace_file or (pictures and not options.compare))
-    _require_consistent(options, writes=of_one)
+    writes_one = recording is not None or trace_file is not None
+    _require_consistent(options, writes_one=writes_one, draws=pictures is not None)
     arm = open_robot(options.robot, options.scale)
     points = _points(options, len(arm.joints), Convention(options.convention))
     plan = _plan(options)
@@ -231,12 +230,9 @@ def follow(options: FollowRequest) -> int:
     else:
         attempts = attempt_all(task, plan, tuple(Way) if options.compare else (plan.kind,))
     title = "line" if options.points_file in (None, "-") else str(options.points_file)
-    result = attempts[0].result
-    if options.compare and pictures:
-        files = compared_pictures([one.result for one in attempts], title, pictures)
-    else:
-        files = write_files(result, title, recording, trace_file, pictures, task.requested)
-    _report(options, task, attempts, files, started(result) if options.starts else ())
+    results = [one.result for one in attempts]
+    files = write_files(results, title, recording, trace_file, pictures, task.requested)
+    _report(options, task, attempts, files, started(results[0]) if options.starts else ())
     is_clean = task.all_reached and all(one.possible for one in attempts)
     return ExitCode.CLEAN if is_clean else ExitCode.FINDINGS
 
@@ -251,7 +247,7 @@ def _comparisons(options: FollowRequest) -> list[str]:
     return [name for name, is_requested in requested.items() if is_requested]
 
 
-def _require_consistent(options: FollowRequest, *, writes: bool) -> None:
+def _require_consistent(options: FollowRequest, *, writes_one: bool, draws: bool) -> None:
     if options.starts:
         require("scipy", "--starts")
     if (options.points_file is None) == (options.line is None):
@@ -263,7 +259,7 @@ def _require_consistent(options: FollowRequest, *, writes: bool) -> None:
     comparisons = _comparisons(options)
     if len(comparisons) > 1:
         raise InputError(f"{' and '.join(comparisons)} exclude each other")
-    if comparisons and writes:
+    if comparisons and (writes_one or (draws and not options.compare)):
         (name,) = comparisons
         verb = "write" if name.startswith("several") else "writes"
         only = "no files but pictures" if options.compare else "no files"

@@ -179,16 +179,21 @@ def unused(task: PreparedPoints, plan: Plan) -> tuple[str, ...]:
 
 
 def written(
-    result: FollowedTrajectory | Refused,
+    results: Sequence[FollowedTrajectory | Refused],
     title: str,
     recording: Path | None,
     trace: Path | None,
     plots: Path | None,
     requested: RequestedPoints,
 ) -> tuple[OutputFile, ...]:
-    """Write the requested files, if there is a trajectory."""
-    if isinstance(result, Refused):
+    """Write the requested files, if there is a trajectory.
+
+    Of several there are only pictures, in folders with the names of their paths.
+    """
+    made = [one for one in results if isinstance(one, FollowedTrajectory)]
+    if not made:
         return ()
+    result = made[0]
     files = []
     if recording:
         from rapidsim.recording.layout.waypoint_recording import record_followed
@@ -203,22 +208,13 @@ def written(
     if plots:
         from rapidsim.plots.followed_pictures import write_followed_plots
 
-        write_followed_plots(result, Path(title).name, plots)
+        if len(results) > 1:
+            plots.mkdir(exist_ok=True)
+        for one in made:
+            folder = plots if len(results) == 1 else plots / one.plan.kind.value
+            write_followed_plots(one, Path(title).name, folder)
         files.append(OutputFile(plots, "plots"))
     return tuple(files)
-
-
-def compared_pictures(
-    results: Sequence[FollowedTrajectory | Refused], title: str, plots: Path
-) -> tuple[OutputFile, ...]:
-    """Write the pictures of all trajectories, each to a folder that has the name of its path."""
-    from rapidsim.plots.followed_pictures import write_followed_plots
-
-    made = [one for one in results if isinstance(one, FollowedTrajectory)]
-    plots.mkdir(exist_ok=True)
-    for one in made:
-        write_followed_plots(one, Path(title).name, plots / one.plan.kind.value)
-    return (OutputFile(plots, "plots"),) if made else ()
 
 
 def render_result(
