@@ -135,7 +135,7 @@ def run(
     Exit codes: 0 the program ended, 1 it has errors or stopped with one, 2 wrong usage, 3 a time
     limit ended the run, 4 an --assert or the cycle budget of the station file failed.
     """
-    terminal, timer = current_terminal(), RunTimer()
+    terminal, timer = current_terminal(), RunTimer(is_reported=timings)
     watch = choose_instrumentation(breaks, profile)
     if write_pers and "-" in request.paths:
         raise InputError("--write-pers: standard input cannot be written to")
@@ -176,8 +176,7 @@ def run(
             written = (*written, *write_values(simulation, job.files))
         except InputError as error:
             refused = refused or error
-    if timings:
-        done = replace(done, timings=timer.timings())
+    done = replace(done, timings=timer.timings())
     print_run(done, job.robot, written, output_format, terminal)
     recording = outputs.recording
     if outputs.view and recording and any(one.path == recording for one in written):

@@ -11,8 +11,9 @@ from rapidsim.simulation.progress import RunInProgress
 class RunTimer:
     """Processor time since its creation, with the instants between the parts."""
 
-    def __init__(self) -> None:
+    def __init__(self, *, is_reported: bool) -> None:
         """Begin with reading."""
+        self._is_reported = is_reported
         self._began_s = self._executes_s = self._ended_s = process_time()
         self._solving_s = self._planning_s = 0.0
         self._run: RunInProgress | None = None
@@ -30,8 +31,10 @@ class RunTimer:
         self._solving_s = sum(one.solving_s for one in costs)
         self._planning_s = sum(one.planning_s for one in costs)
 
-    def timings(self) -> RunTimings:
-        """Return the parts until now."""
+    def timings(self) -> RunTimings | None:
+        """Return the parts until now; None if they are not to be reported."""
+        if not self._is_reported:
+            return None
         ran_s = self._ended_s - self._executes_s
         return RunTimings(
             reading_s=self._executes_s - self._began_s,
