@@ -10,6 +10,7 @@ from typing import Any
 
 import aiohttp
 import pytest
+from failing_program import PROGRAM
 from served_controller import Served, serve
 
 from rapidsim.interpreter.limits import RUNNING_DEPTH, recursion_limit
@@ -22,15 +23,6 @@ from rapidsim.server.loading import engine_of, ready
 from rapidsim.server.replay import replayed
 from rapidsim.server.settings import EngineSettings
 
-PROGRAM = """MODULE failing
-  PERS num rounds := 0;
-  PROC main()
-    MoveAbsJ [[20,0,0,0,30,0],[9E9,9E9,9E9,9E9,9E9,9E9]], v500, z10, tool0;
-    MoveAbsJ [[0,10,0,0,30,0],[9E9,9E9,9E9,9E9,9E9,9E9]], v500, fine, tool0;
-    rounds := rounds + 1;
-  ENDPROC
-ENDMODULE
-"""
 STATION = """[signals]
 diReset = { type = "di", action = "ResetEstop" }
 diOn = { type = "di", action = "MotOn" }
