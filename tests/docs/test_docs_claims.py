@@ -36,7 +36,7 @@ NO_CLAIMS = (
     ),
     "a container of about 900 MB",
     # The tests of packages hold these.
-    *("The wheel has 12 MB", "everything takes 1.4 GB", "scipy 140 MB"),
+    *("The wheel has 8 MB", "everything takes 1.4 GB", "scipy 140 MB"),
 )
 
 

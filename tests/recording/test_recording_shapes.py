@@ -2,14 +2,20 @@
 
 from __future__ import annotations
 
+import io
+from collections.abc import Callable
 from pathlib import Path
 
+import numpy as np
 import pytest
+import trimesh
 from recording_cell import with_description, without_description
 from recording_read import SIMULATION, rows, texts
 from rerun.chunk import RrdReader
 
+from rapidsim.motion.robot.catalogue import robots_folder
 from rapidsim.recording.layout.write import record
+from rapidsim.recording.scene.shading import shaded, smooth
 
 
 def test_a_robot_without_description_is_drawn_as_bars(tmp_path: Path) -> None:
@@ -60,3 +66,37 @@ def test_a_shape_that_cannot_be_read_is_said_and_replaced(tmp_path: Path) -> Non
     entities = set(RrdReader(path).store().schema().entity_paths())
     assert "/robot/bars/2/ball" in entities
     assert "cannot read the shape of l1" in texts(path, "/log/recording", "TextLog:text")[0]
+
+
+def test_normals_follow_from_faces() -> None:
+    """A box keeps its edges, the wall of a drum is round and its lids are flat."""
+    box = trimesh.creation.box((0.2, 0.3, 0.4))
+    vertices, normals, faces = smooth(box.vertices, box.faces)
+    assert len(vertices) == 24
+    np.testing.assert_allclose(normals[faces], np.repeat(box.face_normals[:, None], 3, axis=1))
+    drum = trimesh.creation.cylinder(0.1, 0.5, sections=40)
+    vertices, normals, faces = smooth(drum.vertices, drum.faces)
+    np.testing.assert_array_equal(vertices[faces], drum.triangles)
+    wall = np.abs(drum.face_normals[:, 2]) < 0.5
+    radial = vertices[faces[wall]] * (10.0, 10.0, 0.0)
+    np.testing.assert_allclose(normals[faces[wall]], radial, atol=0.03)
+    np.testing.assert_allclose(np.abs(normals[faces[~wall]][..., 2]), 1.0)
+
+
+def test_link_shapes_of_the_catalogue_are_recorded_with_normals() -> None:
+    file = robots_folder() / "irb120-3-0.58" / "meshes" / "link_2.glb"
+    bare, drawn = (
+        trimesh.load_scene(io.BytesIO(data), "glb", process=False).geometry
+        for data in (file.read_bytes(), shaded(file.read_bytes()))
+    )
+    assert bare.keys() == drawn.keys()
+    for name, mesh in drawn.items():
+        assert "vertex_normals" in mesh._cache
+        np.testing.assert_array_equal(mesh.triangles, bare[name].triangles)
+        assert mesh.visual.material.name == bare[name].visual.material.name
+
+
+@pytest.mark.parametrize("damage", [lambda data: data[:40], lambda data: b"solid", shaded])
+def test_other_files_are_drawn_as_they_are(damage: Callable[[bytes], bytes]) -> None:
+    data = damage((robots_folder() / "irb120-3-0.58" / "meshes" / "link_2.glb").read_bytes())
+    assert shaded(data) == data

@@ -8,6 +8,7 @@ import rerun as rr
 from rerun.chunk import Chunk
 from rerun.urdf import UrdfTree
 
+from rapidsim.recording.scene.shading import shaded
 from rapidsim.values import value_class
 
 _FILLED = rr.components.FillMode.Solid
@@ -42,7 +43,10 @@ def log_shapes(stream: rr.RecordingStream, tree: UrdfTree) -> LoggedShapes:
         for chunk in tree.stream(include_joint_transforms=False)
         if _COLLISION not in chunk.entity_path
     ]
-    rr.send_chunks(chunks, recording=stream)
+    files = [chunk for chunk in chunks if "Asset3D" in _archetypes(chunk)]
+    rr.send_chunks([chunk for chunk in chunks if chunk not in files], recording=stream)
+    for chunk in files:
+        stream.log(chunk.entity_path, _shaded(chunk), static=True)
     frame_of: dict[str, str] = {}
     drawn_entities: set[str] = set()
     for chunk in chunks:
@@ -56,6 +60,14 @@ def log_shapes(stream: rr.RecordingStream, tree: UrdfTree) -> LoggedShapes:
         logged=frozenset(frame for entity, frame in shown.items() if entity in drawn_entities),
         missing=frozenset(frame for entity, frame in shown.items() if entity not in drawn_entities),
     )
+
+
+def _shaded(chunk: Chunk) -> rr.Asset3D:
+    """Return the mesh file of a chunk, with normals."""
+    batch = chunk.to_record_batch()
+    data = batch.column("Asset3D:blob")[0].values[0].values.to_numpy().tobytes()
+    media = batch.column("Asset3D:media_type")[0].as_py()[0]
+    return rr.Asset3D(contents=shaded(data), media_type=media)
 
 
 def _is_visual(entity: str) -> bool:
