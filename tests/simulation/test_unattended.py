@@ -27,8 +27,8 @@ set = { diOn = 1 }
 """
 
 
-def ran(folder: Path, station: str, *options: str) -> dict[str, object]:
-    (folder / "failing.mod").write_text(PROGRAM)
+def ran(folder: Path, station: str, *options: str, program: str = PROGRAM) -> dict[str, object]:
+    (folder / "failing.mod").write_text(program)
     (folder / "rapidsim.toml").write_text(station)
     done = call("run", "failing.mod", "--no-record", "--format", "json", *options, cwd=folder)
     return json.loads(done.out)  # type: ignore[no-any-return]
@@ -53,3 +53,16 @@ def test_limits_end_a_run_that_fails(tmp_path: Path) -> None:
     assert ran(tmp_path, STATION + RESET, "--max-time", "2.5")["end"] == "time_limit"
     many = ran(tmp_path, STATION + RESET, "--cycles", "3")
     assert (many["end"], len(many["moves"])) == ("cycle_limit", 6)  # type: ignore[arg-type]
+
+
+def test_a_wait_that_nothing_ends_is_an_error_also_beside_system_inputs(tmp_path: Path) -> None:
+    waits = PROGRAM.replace("rounds := r", "WaitDI diNever, 1; rounds := r")
+    station = '[signals]\ndiNever = { type = "di" }\n' + STATION.replace("[signals]\n", "")
+    straight = ran(tmp_path, '[signals]\ndiNever = { type = "di" }\n', program=waits)
+    reset = ran(tmp_path, station + RESET, program=waits)
+    for run in (straight, reset):
+        assert (run["end"], run["ok"]) == ("error", False)
+        (found,) = (one for one in run["diagnostics"] if one["code"] == "R106")  # type: ignore[attr-defined]
+        assert (found["line"], "`diNever` is waited for" in found["message"]) == (6, True)
+    stopped = ran(tmp_path, station, program=waits)
+    assert stopped["end"] == "stopped"

@@ -123,6 +123,12 @@ class LiveScheduler:
         if entry.greenlet.dead and self._entries.get(entry.task) is entry:
             del self._entries[entry.task]
 
+    def end_wait(self, task: object) -> None:
+        """Continue a task that waits for what nothing can end any more: its wait raises."""
+        entry = self._entries[task]
+        entry.wake_s = math.inf
+        self._run(entry)
+
     def hold(self) -> None:
         """Suspend the running task where it is, all others, and time, until `release`."""
         assert self._hub is not None
@@ -137,7 +143,7 @@ class LiveScheduler:
             self._run(suspended)
 
     def request_advance(self, task: object, time_s: float) -> float:
-        """See `cell.TimeScheduler`; never returns infinity, as a client may always act."""
+        """See `cell.TimeScheduler`; as a client may act, it returns infinity by `end_wait` only."""
         entry = self._entries[task]
         entry.wake_s = time_s
         if time_s > self.now_s or self._first() is not entry:

@@ -70,6 +70,7 @@ def run_unattended(
                 if not cycles:
                     break
                 live.start()
+        _end_waits(live)
         end = _end(live, options)
     finally:
         live.switch_off()
@@ -85,6 +86,13 @@ def run_unattended(
     normal = {task.name for task in live.normal_tasks}
     ends = tuple(replace(one, end=end) if one.name in normal else one for one in run.tasks)
     return replace(finished, simulation=replace(run, tasks=ends, end=end))
+
+
+def _end_waits(live: LiveController) -> None:
+    """End the wait of the first task that executes although nothing is due any more."""
+    executing = (task for task in live.normal_tasks if task.executes and not task.has_ended)
+    if math.isinf(live.next_due_s) and (waiting := next(executing, None)) is not None:
+        live.scheduler.end_wait(waiting.run.controller.clock)
 
 
 def _last_stop(run: Simulation) -> str:
