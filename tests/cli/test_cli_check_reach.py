@@ -211,3 +211,27 @@ def test_what_an_error_clause_answers_is_no_error(tmp_path: Path) -> None:
     checked = rapidsim("check", "a.mod", "--robot", "irb1600", cwd=tmp_path)
     assert "K603" not in checked.out
     assert checked.code == 0, checked.out
+
+
+def test_the_arms_of_all_robots_are_named(tmp_path: Path) -> None:
+    for name in "left", "right":
+        (tmp_path / f"{name}.mod").write_text(STALE.replace("MODULE cell", f"MODULE {name}"))
+    (tmp_path / "rapidsim.toml").write_text(
+        """[[robot]]
+name = "left"
+model = "irb1600"
+[[robot]]
+name = "right"
+model = "irb2600-12-1.65"
+[[task]]
+name = "T_LEFT"
+robot = "left"
+modules = ["left.mod"]
+[[task]]
+name = "T_RIGHT"
+robot = "right"
+modules = ["right.mod"]
+"""
+    )
+    text = rapidsim("check", ".", cwd=tmp_path).out
+    assert "checked on irb1600 (from rapidsim.toml), irb2600-12-1.65: 2 by value." in text

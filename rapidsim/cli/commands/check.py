@@ -272,10 +272,18 @@ def _outcome(
             fixed = [_apply_fixes(*pair, unsafe=options.unsafe_fixes) for pair in pairs]
     groups = group_by_settings(jobs, [one.result for one in fixed], baselines)
     judged = _compared(groups, options)
-    arms = (result.arm or job.robot for job, result in zip(jobs, results, strict=True))
-    names = ", ".join(dict.fromkeys(arm.text for arm in arms))
     result = merge_results([group.result for group in judged])
-    return _Outcome(programs, jobs, names, fixed, judged, result, differences)
+    arms = _arms(jobs, results)
+    return _Outcome(programs, jobs, arms, fixed, judged, result, differences)
+
+
+def _arms(jobs: Sequence[Job], results: Sequence[CheckResult]) -> str:
+    """Return the arms that moves were checked with, each once, and why the first was taken."""
+    first = [result.arm or job.robot for job, result in zip(jobs, results, strict=True)]
+    named = {arm.name for arm in first}
+    further = (robot.name for job in jobs for robot in job.station.robots[1:])
+    others = [name for name in further if name is not None and name not in named]
+    return ", ".join(dict.fromkeys([*(arm.text for arm in first), *others]))
 
 
 def _compared(groups: Sequence[BaselineGroup], options: CheckOptions) -> list[NewFindings]:
