@@ -13,6 +13,7 @@ from dataclasses import replace
 from pathlib import Path
 
 from rapidsim.backinfo import ListedTask, listed_products, listed_tasks
+from rapidsim.frames.transform import Transform
 from rapidsim.language.equipment import Configured
 from rapidsim.language.robotware import RobotWare, read_robotware
 from rapidsim.module_files import Backup
@@ -63,9 +64,7 @@ def configured_cell(configured: Configured) -> Station:
         *(replace(one, external=axes) for one, axes in zip(robots[1:], further, strict=True)),
     )
     known = {axis.unit for axes in units.axes for axis in axes}
-    robots = tuple(
-        replace(one, carried_by=None) if one.carried_by in known else one for one in robots
-    )
+    robots = tuple(_on_unit(one, units) if one.carried_by in known else one for one in robots)
     io, remarks = backup_io(configured.get("EIO", {}))
     return Station(
         robots=robots,
@@ -76,6 +75,12 @@ def configured_cell(configured: Configured) -> Station:
         configured=configured,
         remarks=(*remarks, *_not_simulated(units), *_carried(robots)),
     )
+
+
+def _on_unit(robot: StationRobot, units: ExternalUnits) -> StationRobot:
+    """Return a robot that a simulated unit carries; its base is in the frame of a gantry's end."""
+    end = units.world_from_end.get(robot.carried_by or "", Transform.identity())
+    return replace(robot, carried_by=None, world_from_base=end @ robot.world_from_base)
 
 
 def configured_in(root: Path, *names: str) -> Configured:

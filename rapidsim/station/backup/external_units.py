@@ -1,27 +1,28 @@
 """Tracks and positioners of a backup: mechanical units in `SYSPAR/MOC.cfg` other than the robots.
 
-The data of an axis are in several types: MECHANICAL_UNIT refers to its SINGLE, which refers to its
-SINGLE_TYPE (track or rotating) and JOINT. JOINT has its position in `extjoint` and refers to the
-rest: bounds in ARM, acceleration in ACC_DATA, transmission, motor speed. Units of ABB's own
-positioners have no such instances in a backup: only their names are known. The same applies to a
-unit that a program must activate: its axes have no values until then, and a run has no such units.
+MECHANICAL_UNIT refers to its SINGLE, which refers to its SINGLE_TYPE (track or rotating) and JOINT
+(`axis_drives`); `gantries` are chains of joints. Units of ABB's own positioners have no such
+instances in a backup: only their names are known. The same applies to a unit that a program must
+activate: its axes have no values until then, and a run has no such units.
 
 Source: Technical reference manual System parameters, topic Motion.
 """
 
 from __future__ import annotations
 
-import math
 from collections.abc import Mapping, Sequence
+from dataclasses import field
 
-from rapidsim.motion.robot.external_axes import LETTERS, ExternalAxis
-from rapidsim.station.backup.cfg_file import SWITCHED_ON, Configuration, Instance
-from rapidsim.station.backup.robots import base_frame, bounds, number
+from rapidsim.frames.transform import Transform
+from rapidsim.motion.robot.external_axes import ExternalAxis
+from rapidsim.station.backup.axis_drives import Named, axis_drive, by_name, instance_of
+from rapidsim.station.backup.cfg_file import SWITCHED_ON, Configuration
+from rapidsim.station.backup.gantries import gantries
+from rapidsim.station.backup.robots import arm_instances, base_frame
 from rapidsim.values import value_class
 
 UNIT_GROUP = "MECHANICAL_UNIT_GROUP"
 _SINGLES = 6
-_FIRST_AXIS = 7
 _LINEAR = ("TRACK", "EXT_LIN", "FREE_LIN")
 _ROTATING = ("FREE_ROT", "EXT_ROT")
 
@@ -32,6 +33,8 @@ class ExternalUnits:
 
     axes: tuple[tuple[ExternalAxis, ...], ...] = ()
     """Simulated axes of each robot."""
+    world_from_end: Mapping[str, Transform] = field(default_factory=dict)
+    """Frame that carries a robot, of each gantry with simulated axes, with all of these at zero."""
     unsupported: tuple[str, ...] = ()
     """Names of the units that the backup does not describe fully."""
 
@@ -41,9 +44,10 @@ def external_units(motion: Configuration, system: Configuration) -> ExternalUnit
 
     A unit in no group belongs to the first robot.
     """
-    robots = [one for one in motion.get("ROBOT", ()) if one.get("use_robot_type")]
+    robots = arm_instances(motion)
     owners = _owners(system, [one.get("name") for one in robots])
-    named = {kind: _by_name(instances) for kind, instances in motion.items()}
+    named = by_name(motion)
+    chains = gantries(motion, named)
     tracks = {one.get("base_frame_coordinated") for one in robots}
     active = {
         unit.get("name")
@@ -52,11 +56,15 @@ def external_units(motion: Configuration, system: Configuration) -> ExternalUnit
     }
     axes: list[list[ExternalAxis]] = [[] for _ in robots or ({},)]
     others: list[str] = []
-    for unit, singles in _units(motion).items():
+    described: dict[str, Sequence[ExternalAxis] | None] = {
+        unit: _axes(unit, singles, named, carries_robot=unit in tracks)
+        for unit, singles in _units(motion).items()
+    }
+    for unit, gantry in chains.items():
+        described[unit] = None if gantry is None else gantry.axes
+    for unit, whole in described.items():
         owner = owners.get(unit, 0)
-        found = [_axis(unit, one, named, carries_robot=unit in tracks) for one in singles]
-        whole = [axis for axis in found if axis is not None]
-        if owner is None or unit not in active or len(whole) < len(found):
+        if owner is None or unit not in active or whole is None:
             others.append(unit)
             continue
         mine = axes[owner]
@@ -64,9 +72,13 @@ def external_units(motion: Configuration, system: Configuration) -> ExternalUnit
             others.append(unit)
         else:
             mine += whole
-    return ExternalUnits(
-        tuple(tuple(sorted(mine, key=lambda axis: axis.letter)) for mine in axes), tuple(others)
-    )
+    ends = {
+        unit: gantry.world_from_end
+        for unit, gantry in chains.items()
+        if gantry is not None and unit not in others
+    }
+    by_letter = (tuple(sorted(mine, key=lambda axis: axis.letter)) for mine in axes)
+    return ExternalUnits(tuple(by_letter), ends, tuple(others))
 
 
 def _owners(system: Configuration, labels: Sequence[str | None]) -> Mapping[str, int | None]:
@@ -102,50 +114,34 @@ def _units(motion: Configuration) -> Mapping[str, Sequence[str]]:
     return units
 
 
-def _axis(
-    unit: str,
-    name: str,
-    named: Mapping[str, Mapping[str, Instance]],
-    *,
-    carries_robot: bool,
-) -> ExternalAxis | None:
+def _axes(
+    unit: str, singles: Sequence[str], named: Named, *, carries_robot: bool
+) -> Sequence[ExternalAxis] | None:
+    """Return the axes of a unit; None if the configuration does not describe them fully."""
+    found = [_axis(unit, one, named, carries_robot=carries_robot) for one in singles]
+    whole = [axis for axis in found if axis is not None]
+    return whole if len(whole) == len(found) else None
+
+
+def _axis(unit: str, name: str, named: Named, *, carries_robot: bool) -> ExternalAxis | None:
     """Return one axis of a unit; None if the configuration does not describe it fully."""
-
-    def instance(kind: str, of: str | None) -> Instance:
-        return named.get(kind, {}).get(of or "", {})
-
-    single = instance("SINGLE", name)
-    mechanics = instance("SINGLE_TYPE", single.get("use_single_type")).get("mechanics", "").upper()
-    joint = instance("JOINT", single.get("use_joint"))
-    arm = instance("ARM", joint.get("use_arm"))
-    place = number(joint, "logical_axis")
-    limits = bounds(arm)
-    gear = number(instance("TRANSMISSION", joint.get("use_transmission")), "transm_joint")
-    duty = instance("STRESS_DUTY_CYCLE", joint.get("use_stress_duty_cycle") or joint.get("name"))
-    motor_speed = number(duty, "speed_absolute_max")
-    acceleration = instance("ACC_DATA", arm.get("use_acc_data"))
-    most = number(acceleration, "wc_acc") or number(acceleration, "nom_acc")
-    known = mechanics in (*_LINEAR, *_ROTATING)
-    if not (known and place and limits and gear and motor_speed and most):
-        return None
-    letter = int(place) - _FIRST_AXIS
-    if not 0 <= letter < len(LETTERS):
+    single = instance_of(named, "SINGLE", name)
+    kind = instance_of(named, "SINGLE_TYPE", single.get("use_single_type"))
+    mechanics = kind.get("mechanics", "").upper()
+    drive = axis_drive(named, instance_of(named, "JOINT", single.get("use_joint")))
+    if drive is None or mechanics not in (*_LINEAR, *_ROTATING):
         return None
     linear = mechanics in _LINEAR
     frame = base_frame(single)
     return ExternalAxis(
         unit=unit,
-        letter=LETTERS[letter],
+        letter=drive.letter,
         linear=linear,
-        lower=limits[0],
-        upper=limits[1],
-        max_speed=motor_speed / math.fabs(gear),
-        max_acceleration=most,
+        lower=drive.lower,
+        upper=drive.upper,
+        max_speed=drive.max_speed,
+        max_acceleration=drive.max_acceleration,
         carries=("robot" if carries_robot else None) if linear else "wobj",
         direction=tuple(frame.rotation[:, 0 if linear else 2].tolist()),
         world_from_user=frame,
     )
-
-
-def _by_name(instances: Sequence[Instance]) -> Mapping[str, Instance]:
-    return {one.get("name", ""): one for one in instances}

@@ -24,7 +24,23 @@ _JOINTS = 7
 def backup_robots(motion: Configuration) -> tuple[StationRobot, ...]:
     """Return the robots of a backup in its order; nameless if the catalogue lacks the arm."""
     arms = {one.get("name", ""): one for one in motion.get("ARM", ())}
-    return tuple(_robot(one, arms) for one in motion.get("ROBOT", ()) if one.get("use_robot_type"))
+    return tuple(_robot(one, arms) for one in arm_instances(motion))
+
+
+def arm_instances(motion: Configuration) -> list[Instance]:
+    """Return the instances of ROBOT that are arms: all with a type, except for gantries."""
+    carriers = carrier_instances(motion)
+    robots = (one for one in motion.get("ROBOT", ()) if one.get("use_robot_type"))
+    return [one for one in robots if one not in carriers]
+
+
+def carrier_instances(motion: Configuration) -> list[Instance]:
+    """Return the instances of ROBOT whose kinematics the file has itself, and that carry others."""
+    kinds = {one.get("name"): one.get("type", "") for one in motion.get("ROBOT_TYPE", ())}
+    robots = motion.get("ROBOT", ())
+    carried_by = {one.get("base_frame_coordinated") for one in robots}
+    own = (one for one in robots if kinds.get(one.get("use_robot_type"), "").upper() == "GEN_KIN")
+    return [one for one in own if one.get("name") in carried_by]
 
 
 def _robot(instance: Instance, arms: Mapping[str, Instance]) -> StationRobot:
@@ -105,8 +121,13 @@ def bounds(arm: Instance) -> tuple[float, float] | None:
 
 def base_frame(instance: Instance) -> Transform:
     """Return world_from_base; the identity if the file does not define it."""
-    position = [number(instance, f"base_frame_pos_{axis}") or 0.0 for axis in "xyz"]
-    turned = [number(instance, f"base_frame_orient_u{n}") for n in range(4)]
+    return frame_of(instance, "base_frame_pos", "base_frame_orient")
+
+
+def frame_of(instance: Instance, place: str, turn: str) -> Transform:
+    """Return a frame by the beginnings of its attributes; the identity without any."""
+    position = [number(instance, f"{place}_{axis}") or 0.0 for axis in "xyz"]
+    turned = [number(instance, f"{turn}_u{n}") for n in range(4)]
     quaternion = [1.0 if n == 0 and u is None else u or 0.0 for n, u in enumerate(turned)]
     if not any(quaternion):
         return Transform.identity()
