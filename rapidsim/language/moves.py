@@ -142,6 +142,10 @@ class CirclePathMode(Enum):
     WRIST56 = r"\Wrist56"
 
 
+AXES_IN_USE = frozenset({"inactive_units", "independent_axes"})
+"""Settings by which targets have no effect on external axes; the robot stops to change them."""
+
+
 @value_class(frozen=True, slots=True)
 class MotionSettings:
     """Settings by VelSet, AccSet, ConfL and their like; the defaults are those after PP to main."""

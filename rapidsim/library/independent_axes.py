@@ -222,16 +222,21 @@ def _acceleration(moved: IndependentAxis, ramp: float | None) -> float:
     return moved.acceleration * (100.0 if ramp is None else ramp) / 100.0
 
 
+_SETS = ("independent_axes",)
+
 INDEPENDENT_AXES = table(
-    routine("IndAMove", ind_a_move, r"MecUnit Axis \ToAbsPos|\ToAbsNum Speed \Ramp"),
+    routine("IndAMove", ind_a_move, r"MecUnit Axis \ToAbsPos|\ToAbsNum Speed \Ramp", sets=_SETS),
     routine(
         "IndRMove",
         ind_r_move,
         r"MecUnit Axis \ToRelPos|\ToRelNum \Short|\Fwd|\Bwd Speed \Ramp",
+        sets=_SETS,
     ),
-    routine("IndDMove", ind_d_move, r"MecUnit Axis Delta Speed \Ramp"),
-    routine("IndCMove", ind_c_move, r"MecUnit Axis Speed \Ramp"),
-    routine("IndReset", ind_reset, r"MecUnit Axis \RefPos|\RefNum \Short|\Fwd|\Bwd|\Old"),
+    routine("IndDMove", ind_d_move, r"MecUnit Axis Delta Speed \Ramp", sets=_SETS),
+    routine("IndCMove", ind_c_move, r"MecUnit Axis Speed \Ramp", sets=_SETS),
+    routine(
+        "IndReset", ind_reset, r"MecUnit Axis \RefPos|\RefNum \Short|\Fwd|\Bwd|\Old", sets=_SETS
+    ),
     routine("IndInpos", ind_inpos, "MecUnit Axis"),
     routine("IndSpeed", ind_speed, r"MecUnit Axis \InSpeed|\ZeroSpeed"),
 )

@@ -325,7 +325,7 @@ MOTION_SETTINGS = table(
     ),
     routine("WorldAccLim", world_acc_lim, r"\On|\Off", sets=("world_acceleration_m_s2",)),
     routine("ActUnit", act_unit),
-    routine("DeactUnit", deact_unit),
+    routine("DeactUnit", deact_unit, sets=("inactive_units",)),
     routine("IsMechUnitActive", is_mech_unit_active),
     routine("ConfJ", conf_j, r"\On|\Off", sets=("conf_j",), back=r"ConfJ\On"),
     routine("ConfL", conf_l, r"\On|\Off", sets=("conf_l",), back=r"ConfL\On"),

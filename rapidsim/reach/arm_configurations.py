@@ -23,6 +23,7 @@ from rapidsim.motion.configurations.confdata import (
     has_branches,
 )
 from rapidsim.motion.configurations.reachability import (
+    external_excess,
     pose_excess,
     programmed_excess,
     turns_within_limits,
@@ -85,6 +86,7 @@ def ends_of(posed: PosedMoves, robot: Robot, *, exact: bool = False) -> EndSolut
     count = len(posed.moves)
     looked_at = np.ones(count, dtype=bool)
     looked_at[list(posed.left_out)] = False
+    past = external_excess(robot, posed.external).any(axis=-1)
     reachable, works, held = (np.zeros(count, dtype=bool) for _ in range(3))
     matches = np.full(count, Match.OTHER, dtype=np.int64)
     stored = np.zeros((count, len(robot.joints)))
@@ -109,6 +111,7 @@ def ends_of(posed: PosedMoves, robot: Robot, *, exact: bool = False) -> EndSolut
             solved.on_stored_branch,
         )
         matches[at], stored[at] = solved.match, solved.stored
+    reachable[past], works[past], held[past] = False, False, False
     return EndSolutions(looked_at, reachable, works, held, matches, stored)
 
 

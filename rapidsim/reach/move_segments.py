@@ -43,5 +43,5 @@ def segments_of(
 
 
 def _end(posed: PosedMoves, joints: Array, robot: Robot, row: int) -> Waypoint:
-    end = Waypoint(joints[row], posed.base_from_tcp[row])
+    end = Waypoint(joints[row], posed.curve_from_tcp[row], posed.external[row])
     return end_of_circle(end) if is_wrist_driven(posed.moves[row], robot) else end

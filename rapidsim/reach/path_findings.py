@@ -223,7 +223,7 @@ class PathSurvey:
                 held = self._held_up(row, way.hold_up)
                 if held is not None:
                     yield self._finding(row, held)
-            if way.travel < _STANDSTILL and way.turned < _NO_TURN:
+            if way.travel < _STANDSTILL and way.turned < _NO_TURN and not self._moves_axes(row):
                 name = target_text(self.program, self.posed.moves[row])
                 yield self._finding(row, ZeroLengthMove(name))
             reduced = self._reduced_zone(row, surveyed, following)
@@ -250,6 +250,11 @@ class PathSurvey:
             related = (Related(start, "the path starts here"),)
         span = target_span(self.program, known)
         return Diagnostic(violation, span, related, routine=known.routine)
+
+    def _moves_axes(self, row: int) -> bool:
+        """Whether external axes move."""
+        before, external = self.posed.moves[row].previous, self.posed.external
+        return before is not None and not np.array_equal(external[before], external[row])
 
     def _speed_unknown(self, row: int) -> bool:
         return "speed_override_percent" in self.posed.moves[row].uncertain

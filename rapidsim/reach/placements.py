@@ -68,7 +68,9 @@ def reach_from(
     rows = [
         row
         for row in range(len(known))
-        if row not in placed.left_out and not may_be_wrist_driven(known[row], robot)
+        if row not in placed.left_out
+        and not placed.is_carried(row)
+        and not may_be_wrist_driven(known[row], robot)
     ]
     to_poses = np.array([row for row in rows if not placed.to_axes[row]], dtype=np.int64)
     to_axes = np.array([row for row in rows if placed.to_axes[row]], dtype=np.int64)

@@ -73,6 +73,8 @@ def check_reach(
         by_default: Whether the arm is the default one, because no input names an arm.
     """
     options = options or RunOptions()
+    if options.external_axes:
+        robot = replace(robot, external=options.external_axes)
     walked = walk_program(program)
     budget = cycle_budget_s if run else None
     if not walked.written and budget is None:
@@ -84,7 +86,7 @@ def check_reach(
     base_from_world = options.world_from_base.inverse()
     placed = posed(known, robot, base_from_world, options.external_axes)
     left_out = placed.left_out
-    if run and _needs_run(walked, left_out, options, budget):
+    if run and _needs_run(walked, placed, options, budget):
         longest_s = max(LONGEST_RUN_S, 2.0 * (budget or 0.0))
         told = run_for_moves(program, robot, options, walked, len(known), longest_s)
         joints = dict(enumerate(told.end_joints, start=len(known)))
@@ -128,7 +130,7 @@ def check_reach(
     distinct = tuple(_FindingKeys(walked).distinct(found, run_of_main.diagnostics, met))
     paths, unchecked_paths = _paths(placed, ends, ways, beginning, met)
     coverage = replace(
-        _coverage(walked, ends, told, left_out),
+        _coverage(walked, placed, ends, told, left_out),
         main_left_out=of_main.left_out,
         paths=paths,
         unchecked_paths=unchecked_paths,
@@ -146,14 +148,15 @@ def _beginning(robot: Robot, options: RunOptions) -> Beginning | None:
 
 def _needs_run(
     walked: WalkedProgram,
-    left_out: Mapping[int, str],
+    placed: PosedMoves,
     options: RunOptions,
     cycle_budget_s: float | None,
 ) -> bool:
     """Whether moves, contacts or cycle time need a run of main, and no frame prevents it."""
-    if FRAME_WITHOUT_ORIENTATION in left_out.values():
+    if FRAME_WITHOUT_ORIENTATION in placed.left_out.values():
         return False
-    has_unplaced = bool(walked.unknown or left_out)
+    carried = any(placed.is_carried(row) for row in range(len(placed.moves)))
+    has_unplaced = bool(walked.unknown or placed.left_out or carried)
     return has_unplaced or cycle_budget_s is not None or options.geometry is not None
 
 
@@ -198,6 +201,7 @@ def _unrun_collisions(
         if known.call not in run_moves.met
         and known.previous is not None
         and row not in placed.left_out
+        and not placed.is_carried(row)
         and sure[row]
         and sure[known.previous]
         and row not in broken
@@ -298,6 +302,7 @@ class _FindingKeys:
 
 def _coverage(
     walked: WalkedProgram,
+    placed: PosedMoves,
     ends: EndSolutions,
     run_moves: RunMoves | None,
     left_out: Mapping[int, str],
@@ -308,11 +313,12 @@ def _coverage(
         if row not in left_out and ends.looked_at[row]
     }
     reasons = {walked.moves[row].call: why for row, why in left_out.items()}
+    carried = {known.call for row, known in enumerate(walked.moves) if placed.is_carried(row)}
     met = frozenset() if run_moves is None else run_moves.met
     values = runs = 0
     unchecked: list[UncheckedMove] = []
     for call, module in walked.written:
-        open_ = call in walked.unknown or call in reasons
+        open_ = call in walked.unknown or call in reasons or call in carried
         if call in by_value and not (open_ and call in met):
             values += 1
         elif call in met:

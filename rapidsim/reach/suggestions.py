@@ -37,7 +37,7 @@ class ReachSuggestions:
 
     def of(self, row: int) -> str | None:
         """Return the suggestion for a move with an unreachable end; None if none was found."""
-        if not has_branches(self.robot.kinematics):
+        if not has_branches(self.robot.kinematics) or self.posed.is_carried(row):
             return None
         parts = [part for part in (self._shift(row), self._turn(row)) if part is not None]
         return ", or ".join(parts) if parts else None
@@ -73,10 +73,10 @@ class ReachSuggestions:
         posed = self.posed
         if self._searched > MOST_SEARCHES:
             return None
-        turn = least_turn(self.robot, posed.base_from_tcp[row], posed.tcp_from_flange[row])
+        turn = least_turn(self.robot, posed.curve_from_tcp[row], posed.tcp_from_flange[row])
         if turn is not None:
             return f"with the tool turned {turn.degrees:+.0f} deg about its {turn.axis}"
-        flange = posed.base_from_tcp[row : row + 1]
+        flange = posed.curve_from_tcp[row : row + 1]
         if np.any(posed.tcp_from_flange.translation[row]) and reachable(self.robot, flange)[0]:
             return "with tool0"
         return None

@@ -43,7 +43,11 @@ from rapidsim.language.target_violations import QuaternionNotUnit
 from rapidsim.motion.configurations.compliance import Match
 from rapidsim.motion.configurations.confdata import confdata_of, configuration, has_branches
 from rapidsim.motion.configurations.reach_suggestions import reason_with_lengths
-from rapidsim.motion.configurations.reachability import programmed_excess, unreachable_reason
+from rapidsim.motion.configurations.reachability import (
+    external_excess,
+    programmed_excess,
+    unreachable_reason,
+)
 from rapidsim.motion.configurations.targets import is_no_orientation
 from rapidsim.motion.robot.external_axes import ExternalAxis, amount_text
 from rapidsim.motion.robot.robot import Robot
@@ -84,9 +88,12 @@ def unreachable_findings(
     for row in np.flatnonzero(ends.looked_at & ~ends.reachable).tolist():
         known = posed.moves[row]
         name, span = target_text(program, known), target_span(program, known)
-        if posed.to_axes[row]:
-            why = _over(robot, posed.axes[row])
-            found = JointOutOfRange(name, robot.title, why, is_of_joints=True)
+        past = _external_over(robot, posed.external[row])
+        if posed.to_axes[row] or past:
+            is_of_joints = bool(posed.to_axes[row])
+            arm = (_over(robot, posed.axes[row]),) if is_of_joints else ()
+            why = ", ".join(part for part in (*arm, past) if part)
+            found = JointOutOfRange(name, robot.title, why, is_of_joints=is_of_joints)
             yield Diagnostic(found, span, routine=known.routine)
             continue
         pose = posed.base_from_flange[row]
@@ -309,6 +316,16 @@ def wind_up_findings(
         degrees = np.degrees([step[axis], *stances.joints[[first, row], axis], limit])
         found = JointWindUp(target_text(program, known), axis + 1, *map(float, degrees))
         yield Diagnostic(found, target_span(program, known), routine=known.routine)
+
+
+def _external_over(robot: Robot, external: Array) -> str:
+    """External axes (e,) [m or rad] past their limits, as text; empty if none is."""
+    excess, first = np.abs(external_excess(robot, external)), len(robot.joints)
+    return ", ".join(
+        f"{robot.axes.name(first + i)} at {robot.axes.text(first + i, external[i])}, "
+        f"{robot.axes.text(first + i, excess[i])} past its limit"
+        for i in map(int, np.flatnonzero(excess))
+    )
 
 
 def _over(robot: Robot, joints: Array) -> str:

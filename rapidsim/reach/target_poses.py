@@ -6,10 +6,12 @@ from collections.abc import Mapping, Sequence
 
 import numpy as np
 
+from rapidsim.frames.moving_frames import standing
 from rapidsim.frames.transform import Array, Transform
 from rapidsim.language.data import JointTarget, ToolData, WobjData
-from rapidsim.language.moves import Interpolation
+from rapidsim.language.moves import AXES_IN_USE, Interpolation
 from rapidsim.motion.configurations import targets
+from rapidsim.motion.geometry.joint_mapping import JointMapper
 from rapidsim.motion.kinematics.arm import Mask
 from rapidsim.motion.robot.external_axes import ExternalAxis
 from rapidsim.motion.robot.robot import Robot
@@ -26,17 +28,24 @@ class PosedMoves:
     """Known moves with their ends as poses; one row per move."""
 
     moves: Sequence[KnownMove]
-    base_from_tcp: Transform
+    curve_from_tcp: Transform
+    """base_from_tcp; of a move with a carrier in the frame of that, see `segments.Carrier`."""
     tcp_from_flange: Transform
     base_from_flange: Transform
     axes: Array
     """Shape (k, n) [rad]: joints of MoveAbsJ targets; 0 for moves to poses."""
     to_axes: Mask
     """Whether a move ends at joints rather than at a pose."""
+    external: Array
+    """Shape (k, e) [m or rad]: external axes at the end."""
     placed: Sequence[targets.Placement]
     """Poses of tool and work object of each; identities if they are not simulated."""
     left_out: Mapping[int, str]
     """Reasons for skipping rows: an unsupported set-up, an invalid orientation."""
+
+    def is_carried(self, row: int) -> bool:
+        """Whether external axes move the base or the work object, or the tool is stationary."""
+        return self.placed[row].carrier is not None
 
 
 def posed(
@@ -51,12 +60,13 @@ def posed(
         moves: The moves.
         robot: The arm.
         base_from_world: The world frame in the robot's base.
-        external: External axes; moves that involve them are skipped.
+        external: External axes; moves to targets without their values are skipped.
     """
     count = len(moves)
     position, quaternion = np.zeros((count, 3)), np.tile([1.0, 0.0, 0.0, 0.0], (count, 1))
     axes = np.zeros((count, len(robot.joints)))
     to_axes = np.zeros(count, dtype=bool)
+    values = np.zeros((count, len(external)))
     left_out: dict[int, str] = {}
     frames: dict[tuple[ToolData, WobjData], int] = {}
     placements: list[targets.Placement | targets.NotSimulatedFrame] = []
@@ -68,7 +78,8 @@ def posed(
         if at == len(placements):
             placements.append(_placement(*pair, base_from_world, external))
         frame[row] = at
-        reason = _skip_reason(known, placements[at], robot, external)
+        values[row], reason = _external_values(known, external)
+        reason = _skip_reason(known, placements[at], robot) or reason
         if reason is not None:
             left_out[row] = reason
         if isinstance(move.to, JointTarget):
@@ -83,29 +94,62 @@ def posed(
         else one
         for one in placements
     ]
-    base_from_object = Transform.stacked([one.curve_from_object for one in plain])[frame]
-    tcp_from_flange = Transform.stacked([one.tcp_from_flange for one in plain])[frame]
-    base_from_tcp = base_from_object @ Transform.from_quaternion(quaternion, position * targets.MM)
-    base_from_flange = base_from_tcp @ tcp_from_flange
+    curve_from_object = Transform.stacked([one.curve_from_object for one in plain])[frame]
+    pose = Transform.from_quaternion(quaternion, position * targets.MM)
+    curve_from_tcp = curve_from_object @ pose
+    tcp_from_flange = Transform.stacked([one.tcp_from_flange for one in plain])
+    carriers = tuple(one.carrier for one in plain)
+    arms = JointMapper(
+        robot.kinematics,
+        np.zeros(len(plain), dtype=np.int64),
+        tcp_from_flange,
+        carriers if any(carriers) else (),
+    )
+    wide = np.concatenate([axes, values], axis=1)
+    base_from_flange = arms.base_from_flange(standing(curve_from_tcp, count), frame, wide)
     if to_axes.any():
         rows = np.flatnonzero(to_axes)
         flange = robot.forward(axes[rows])
-        tcp = flange @ tcp_from_flange[rows].inverse()
+        tcp = arms.curve_from_tcp(wide[rows], frame[rows])
         base_from_flange.rotation[rows] = flange.rotation
         base_from_flange.translation[rows] = flange.translation
-        base_from_tcp.rotation[rows] = tcp.rotation
-        base_from_tcp.translation[rows] = tcp.translation
+        curve_from_tcp.rotation[rows] = tcp.rotation
+        curve_from_tcp.translation[rows] = tcp.translation
     placed = [plain[at] for at in frame.tolist()]
     return PosedMoves(
-        moves, base_from_tcp, tcp_from_flange, base_from_flange, axes, to_axes, placed, left_out
+        moves,
+        curve_from_tcp,
+        tcp_from_flange[frame],
+        base_from_flange,
+        axes,
+        to_axes,
+        values,
+        placed,
+        left_out,
     )
+
+
+def _external_values(
+    known_move: KnownMove, external: Sequence[ExternalAxis]
+) -> tuple[Array, str | None]:
+    """External axes (e,) [m or rad] at the end of a move, and why they are not known."""
+    unknown = np.zeros(len(external))
+    if not external:
+        return unknown, None
+    settings, uncertain = known_move.settings, known_move.uncertain
+    passive = settings.inactive_units or settings.independent_axes
+    if passive or not uncertain.isdisjoint(AXES_IN_USE):
+        return unknown, "a mechanical unit is not active, or an axis independent; only a run tells"
+    values, missing = targets.external_values(known_move.move.to.extax, external, unknown)
+    if missing:
+        return unknown, f"its target has no value of {missing[0].component}"
+    return values, None
 
 
 def _skip_reason(
     known_move: KnownMove,
     placement: targets.Placement | targets.NotSimulatedFrame,
     robot: Robot,
-    external: Sequence[ExternalAxis],
 ) -> str | None:
     """Reason to leave a move out; None if its end is computed."""
     move = known_move.move
@@ -119,8 +163,6 @@ def _skip_reason(
         return "only external axes move"
     if isinstance(placement, targets.NotSimulatedFrame):
         return placement.reason
-    if placement.carrier is not None or external:
-        return "external axes, a stationary tool or a moved work object take part"
     return None
 
 

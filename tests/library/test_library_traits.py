@@ -165,6 +165,7 @@ ELSEWHERE = {
     "interpreter/linking/loader.py": {"load"},
     "interpreter/linking/namespace.py": {"ArgName"},
     "json_records": {"type"},
+    "recording/scene/shading.py": {"max", "min", "type"},
     "language": {"write", "stop"},
     "lsp/token_pieces.py": {"type"},
     "motion/timing/constraints.py": {"PathAccLim", "WorldAccLim"},

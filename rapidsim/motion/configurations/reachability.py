@@ -109,6 +109,14 @@ def programmed_excess(robot: Robot, joints: Array) -> Array:
     return np.where(np.abs(excess) > robot.axes.tolerances[: joints.shape[-1]], excess, 0.0)
 
 
+def external_excess(robot: Robot, external: Array) -> Array:
+    """Excess like `programmed_excess`, for external axes (..., e) [m or rad]."""
+    axes, first = robot.axes, len(robot.joints)
+    upper, lower = axes.upper[first:], axes.lower[first:]
+    excess = np.maximum(external - upper, 0.0) + np.minimum(external - lower, 0.0)
+    return np.where(np.abs(excess) > axes.tolerances[first:], excess, 0.0)
+
+
 def unreachable_reason(
     robot: Robot, base_from_flange: Transform, branch: int | None = None
 ) -> Unreachable | None:

@@ -87,7 +87,7 @@ def _survey(
     curves = curves_of(segments, robot.kinematics)
     arms = arms_of(segments, robot.kinematics, curves.joint_travel, curves.length)
     nodes = _nodes(curves, arms)
-    row, joints = nodes.curve, nodes.joints
+    row, joints = nodes.curve, nodes.joints[:, : robot.kinematics.joint_count]
     last = np.append(np.flatnonzero(np.diff(row)), len(row) - 1)
     past = (np.abs(pose_excess(robot, joints)) > _PAST_LIMIT).any(axis=-1) | ~nodes.exists
     broken = np.zeros(len(segments), dtype=bool)
@@ -136,7 +136,7 @@ def _hold_ups(
     max_speed: Array,
 ) -> dict[int, SpeedBottleneck]:
     """Return, by path, the point where an axis most exceeds its speed; only paths that have one."""
-    joints, all_rows = nodes.joints, nodes.curve
+    joints, all_rows = nodes.joints[:, : robot.kinematics.joint_count], nodes.curve
     row = all_rows[1:]
     motion = curves.at(all_rows, nodes.place * curves.length[all_rows])
     flange = arms.base_from_flange(motion, all_rows, curves.start_joints[all_rows])
@@ -147,7 +147,8 @@ def _hold_ups(
     speed = np.array([[s.speed.tcp, s.speed.reorientation] for s in segments])[row]
     time = np.maximum(way / speed[:, 0], turn / speed[:, 1])
     timed = np.array([segment.duration is not None for segment in segments])[row]
-    counts = (row == all_rows[:-1]) & (time > 0.0) & ~timed
+    # With a carrier the speed is that in its frame, and external axes take part in it.
+    counts = (row == all_rows[:-1]) & (time > 0.0) & ~timed & ~arms.carried_rows[row]
     usage = np.abs(np.diff(joints, axis=0)) / max_speed / np.where(counts, time, np.inf)[:, None]
     worst = usage.max(axis=-1)
     found: dict[int, SpeedBottleneck] = {}

@@ -7,9 +7,9 @@ about z, shift by `offset_z` along z. The joint slides along its z axis. `base_p
 ROBOT_TYPE comes before the first joint, and the base frame of the robot is in the frame of the
 last. Joints that are locked in the interpolator do not move.
 
-Source: Technical reference manual System parameters, topic Motion. Order and signs agree with
-positions that a controller with two hanging robots has stored: eight of nine targets lie in the
-quadrants of axis 1 that their configurations name.
+Source: Technical reference manual System parameters, topic Motion. Order and signs agree with the
+gravity of two hanging robots in a real controller, and with the quadrants of axis 1 in seven of the
+nine targets that it has stored.
 """
 
 from __future__ import annotations

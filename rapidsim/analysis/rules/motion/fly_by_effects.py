@@ -24,6 +24,7 @@ from rapidsim.analysis.rules.facts.instruction_questions import MoveCall, argume
 from rapidsim.analysis.rules.facts.known_values import known_value
 from rapidsim.analysis.rules.facts.reached_routines import mask_of
 from rapidsim.diagnostics import Diagnostic
+from rapidsim.language.moves import AXES_IN_USE
 from rapidsim.library.traits import Trait
 from rapidsim.syntax import tree
 from rapidsim.values import value_class
@@ -261,7 +262,8 @@ class _RoutineAnalysis:
             return _NOTHING
         if Trait.WAIT in traits:
             return _NOTHING if _is_no_wait(node, self._facts) else self._wait(node)
-        lets_pass = ahead if Trait.INSTANT in traits or row.sets else _NOTHING
+        sets = row.sets and AXES_IN_USE.isdisjoint(row.sets)
+        lets_pass = ahead if Trait.INSTANT in traits or sets else _NOTHING
         if Trait.OUTPUT not in traits:
             return lets_pass
         effects: dict[tuple[Effect, _Place], bool]
