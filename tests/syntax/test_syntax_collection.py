@@ -6,6 +6,7 @@ import gc
 import weakref
 from unittest.mock import patch
 
+from rapidsim.syntax import garbage_collection
 from rapidsim.syntax.garbage_collection import gc_for_server, gc_paused, gc_rarely
 
 
@@ -44,3 +45,12 @@ def test_frozen_objects_are_counted_once_and_stay_frozen() -> None:
                 pass
         assert count.call_count <= 1
         assert gc.get_freeze_count() > 0
+
+
+def test_what_programs_leave_behind_does_not_pile_up() -> None:
+    ended: list[weakref.ref[_Connection]] = []
+    with patch.multiple(garbage_collection, _FEW=10_000, _made=0, _kept=0):
+        for _ in range(2):
+            with gc_paused():
+                ended += [weakref.ref(_Connection()) for _ in range(10_000)]
+    assert [one() is None for one in (ended[0], ended[-1])] == [True, False]
