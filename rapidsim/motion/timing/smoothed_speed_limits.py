@@ -75,12 +75,11 @@ def deciding_points(places: Array, speeds: Array, wanted: Index, window: float) 
     # Few points are wanted, and only lines that reach one of them count.
     for line, other in _pairs(*(np.searchsorted(wanted, end) for end in (first, after))):
         values = speeds[line] + slopes[line] * (places[wanted[other]] - places[line])
-        order = np.lexsort((values, other))
-        other, values, line = other[order], values[order], line[order]
-        least = np.diff(other, prepend=-1) > 0
-        other, values, line = other[least], values[least], line[least]
-        lower = values < lowest[other]
-        lowest[other[lower]], deciding[other[lower]] = values[lower], line[lower]
+        before = lowest.copy()
+        np.minimum.at(lowest, other, values)
+        # Of equal lines the first one counts: it is written last.
+        least = np.flatnonzero((values == lowest[other]) & (values < before[other]))[::-1]
+        deciding[other[least]] = line[least]
     return deciding
 
 
