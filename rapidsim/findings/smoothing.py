@@ -11,3 +11,12 @@ class CornerTooFast(Violation, code="R116"):
     """The exceeded limit, such as `torque of axis 2`."""
     other_text: str
     """Number of other such corners, for the message; empty for none."""
+
+
+class CornerSpeedUncertain(Violation, code="R118"):
+    limit: str
+    """The limit that is reached in the corner, such as `torque of axis 2`."""
+    difference: str
+    """Difference of a controller's speed and time."""
+    other_text: str
+    """Number of other such corners, for the message; empty for none."""

@@ -30,6 +30,7 @@ from rapidsim.simulation.results.simulation import (
     numbered_moves,
 )
 from rapidsim.simulation.results.smoothed_corners import corner_findings
+from rapidsim.simulation.results.uncertain_corners import uncertain_corner_findings
 from rapidsim.simulation.run_findings import (
     backward_findings,
     not_simulated_findings,
@@ -161,6 +162,7 @@ def _findings(
     for robot, run in zip(robots, movers, strict=True):
         limits, model = run.member.limits, run.member.model
         yield from corner_findings(robot.moves, robot.trajectory, limits, model)
+        yield from uncertain_corner_findings(robot.moves, robot.trajectory, robot.robot, model)
         yield from belt_findings(
             *(robot.moves, robot.trajectory, limits, robot.robot, time_s),
             by_axes=model.smoothing == "axes",

@@ -34,6 +34,7 @@ SHORT_STOPS = """
       MoveL Offs(home, 0, 30*i, 0), v200, fine, tool0;
     ENDFOR"""
 SWINGS = """
+    MoveAbsJ [[40,0,0,0,30,0],[9E9,9E9,9E9,9E9,9E9,9E9]], vmax, fine, tool0;
     MoveAbsJ [[25,-20,20,0,30,0],[9E9,9E9,9E9,9E9,9E9,9E9]], vmax, fine, tool0;
     MoveAbsJ [[-25,20,-20,60,60,0],[9E9,9E9,9E9,9E9,9E9,9E9]], vmax, fine, tool0;"""
 FAST_CORNERS = """
@@ -93,7 +94,7 @@ def test_the_model_that_made_the_logs_is_found(stops: LoggedRun, swings: LoggedR
     found = calibrate([stops, swings], ROBOT, MotionModel())
     truth = dict(zip((f"torque of axis {k}" for k in (1, 2, 3)), TRUTH.torque, strict=True))
     seen = {one.name: one for one in found.parameters if one.seen}
-    assert seen.keys() == {"torque of axis 2", "filter_time", "fine_dwell"}
+    assert seen.keys() == {"torque of axis 1", "torque of axis 2", "filter_time", "fine_dwell"}
     for name, one in seen.items():
         wanted = truth[name] if name in truth else getattr(TRUTH, name)
         assert one.value == pytest.approx(wanted, abs=one.uncertainty), name

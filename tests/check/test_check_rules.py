@@ -69,15 +69,17 @@ class Case:
         """What is found in the program."""
         file = folder / "program.mod"
         file.write_bytes(self.program)
-        if station := table(self.rule).get("station"):
+        station = table(self.rule).get("station", "")
+        if station:
             (folder / "rapidsim.toml").write_text(station)
+        arm = ("--robot", tomllib.loads(station).get("robot", {}).get("model", ARM))
         match self.way:
             case "text":
                 return [in_short(one) for one in found_in(file, every_rule=True)]
             case "reach":
-                return as_printed("check", str(file), "--no-merge", "--output-format")
+                return as_printed("check", str(file), *arm, "--no-merge", "--output-format")
             case _:
-                return as_printed("run", str(file), "--no-record", "--format")
+                return as_printed("run", str(file), *arm, "--no-record", "--format")
 
 
 def table(rule: Rule) -> dict[str, str]:
@@ -95,10 +97,10 @@ def in_short(one: Diagnostic) -> Found:
 
 
 def as_printed(*arguments: str) -> list[Found]:
-    """What a command says of a program on the arm of the examples."""
+    """What a command says of a program; the last argument asks for a format."""
     printed = io.StringIO()
     with contextlib.redirect_stdout(printed):
-        run_commands([*arguments, "json", "--robot", ARM])
+        run_commands([*arguments, "json"])
     found = json.loads(printed.getvalue())["diagnostics"]
     return [Found(one["code"], one["severity"], one["message"], one["line"] or 0) for one in found]
 

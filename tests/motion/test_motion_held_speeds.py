@@ -46,7 +46,7 @@ def test_the_smoothed_motion_keeps_the_largest_speeds(knots: list[float], averag
 def test_the_deciding_point_is_slow_where_the_held_speed_is_low(knots: list[float]) -> None:
     speeds = np.interp(PLACES, np.linspace(0.0, 0.6, len(knots)), knots)
     held = held_speeds(PLACES, speeds, EVERYWHERE, WINDOW_S)
-    deciding = deciding_points(PLACES, speeds, WINDOW_S)
+    deciding = deciding_points(PLACES, speeds, np.arange(len(PLACES)), WINDOW_S)
     # A line changes by its speed over the window at most, which is shifted by a twelfth of that.
     near_m = (0.5 + 1.0 / 12.0) * WINDOW_S * speeds[deciding] + 2.0 * PLACES[1]
     assert (np.abs(PLACES[deciding] - PLACES) <= near_m).all()

@@ -234,7 +234,7 @@ def test_on_an_object_held_at_rest_a_robot_moves_as_in_one_that_stands_there() -
     times = np.arange(0.0, held.run.time_s, 0.01)
     both = [one.run.robots[1].trajectory.at(times).joints for one in (held, other)]
     assert held.run.diagnostics == ()
-    # The frame is written in single precision, and may divide the path into other stages.
+    # Moves on a held object are planned in other windows, which divide the path into other stages.
     assert held.run.time_s == pytest.approx(other.run.time_s, abs=1e-5)
     assert both[0] == pytest.approx(both[1], abs=1e-5)
 

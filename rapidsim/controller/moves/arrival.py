@@ -192,7 +192,7 @@ class Arrivals:
         """The configuration as stored, if that works; else the nearest."""
         near = segment.start.joints
         if not _in_joints(segment):
-            arrived = self._end_of_curve(segment)
+            arrived = end_of_curve(self.robot, segment)
             return arrived or nearest(self._working(request, segment), near)
         if not self._is_monitored(request, segment):
             if request.starts_free and has_branches(self.robot.kinematics):
@@ -305,7 +305,7 @@ class Arrivals:
             return self._not_as_stored(
                 request.name, self._base_from_flange(request, segment), wanted, None
             )
-        if self._end_of_curve(segment) is None:
+        if end_of_curve(self.robot, segment) is None:
             return None
         goes_on = self._match(arrival, wanted) is Match.TURNED and not self.exact
         arrives = conf_text(arrival.confdata)
@@ -354,30 +354,6 @@ class Arrivals:
         end, placed = segment.end, request.request.placed
         return placed.base_from_flange(self.robot.kinematics, end.base_from_tcp, end.external)
 
-    def _end_of_curve(self, segment: Segment) -> Configuration | None:
-        """Configuration at the end of a line or arc: the branch of its start, with the turns made.
-
-        None if that branch does not reach the end, or only past a joint limit; the planner then
-        reports where the path fails.
-        """
-        curves, arms = self._curve(segment)
-        x = _ALONG * curves.length[0]
-        base_from_flange = arms.base_from_flange(
-            curves.at(_ROWS, x), _ROWS, curves.joints_at(_ROWS, x)
-        )
-        followed = self.robot.kinematics.inverse_on_branch(
-            base_from_flange, segment.branch, segment.start.joints
-        )
-        joints = followed.joints[-1]
-        if not followed.exists[-1] or np.any(pose_excess(self.robot, joints) != 0.0):
-            return None
-        return self.configuration(joints)
-
-    def _curve(self, segment: Segment) -> tuple[Curves, JointMapper]:
-        kinematics = self.robot.kinematics
-        curves = curves_of((segment,), kinematics)
-        return curves, arms_of((segment,), kinematics, curves.joint_travel, curves.length)
-
     def _wrist_circle(
         self, request: LocatedMoveRequest, segment: Segment
     ) -> tuple[Segment, Configuration]:
@@ -421,7 +397,7 @@ class Arrivals:
         """Report how far a wrist that turns in joint space takes the tool off its orientation."""
         if self.journal.has_finding(("turned on the way to", request.written)):
             return
-        curves, arms = self._curve(segment)
+        curves, arms = _curve(self.robot, segment)
         x = _ALONG * curves.length[0]
         motion = curves.at(_ROWS, x)
         joints, exists = arms.joints(motion, _ROWS, curves.joints_at(_ROWS, x))
@@ -439,6 +415,30 @@ class Arrivals:
         if angle > _TOLD_DEVIATION:
             note = OrientationDeviates(request.name, switch, np.degrees(angle), location)
             self.journal.finding(note, request.place, once=(f"turned {location}", request.written))
+
+
+def end_of_curve(robot: Robot, segment: Segment) -> Configuration | None:
+    """Configuration at the end of a line or arc: the branch of its start, with the turns made.
+
+    Axes that the pose at the end does not determine stay as they arrive. None if that branch does
+    not reach the end, or only past a joint limit; the planner then reports where the path fails.
+    """
+    curves, arms = _curve(robot, segment)
+    x = _ALONG * curves.length[0]
+    base_from_flange = arms.base_from_flange(curves.at(_ROWS, x), _ROWS, curves.joints_at(_ROWS, x))
+    followed = robot.kinematics.inverse_on_branch(
+        base_from_flange, segment.branch, segment.start.joints
+    )
+    joints = followed.joints[-1]
+    if not followed.exists[-1] or np.any(pose_excess(robot, joints) != 0.0):
+        return None
+    return configuration(robot.kinematics, joints)
+
+
+def _curve(robot: Robot, segment: Segment) -> tuple[Curves, JointMapper]:
+    kinematics = robot.kinematics
+    curves = curves_of((segment,), kinematics)
+    return curves, arms_of((segment,), kinematics, curves.joint_travel, curves.length)
 
 
 def _in_joints(segment: Segment) -> bool:

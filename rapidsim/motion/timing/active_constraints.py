@@ -106,7 +106,7 @@ def _of_caps(problem: Problem, motion: StageMotion, capped: Mask) -> Index:
     source = np.arange(len(own))
     if held.any():
         middle = motion.stages.places[:, 1]
-        source[held] = deciding_points(middle, own, problem.path.window)[held]
+        source[held] = deciding_points(middle, own, np.flatnonzero(held), problem.path.window)
     number = np.zeros(len(own), dtype=np.int64)
     evaluated = np.unique(source[capped])
     number[evaluated] = _slowest_rows(problem, motion, evaluated)

@@ -61,19 +61,25 @@ def held_speeds(places: Array, speeds: Array, needed: Mask, window: float) -> Ar
     return np.minimum(held, speeds)
 
 
-def deciding_points(places: Array, speeds: Array, window: float) -> Index:
-    """Return the point (k,) whose line bounds the command most at each point (k,)."""
-    every = np.arange(len(places))
-    slopes, first, after = _lines(places, speeds, every, window)
-    lowest, deciding = speeds.copy(), every.copy()
-    for line, other in _pairs(first, after):
-        values = speeds[line] + slopes[line] * (places[other] - places[line])
-        order = np.lexsort((values, other))
-        other, values, line = other[order], values[order], line[order]
-        least = np.diff(other, prepend=-1) > 0
-        other, values, line = other[least], values[least], line[least]
-        lower = values < lowest[other]
-        lowest[other[lower]], deciding[other[lower]] = values[lower], line[lower]
+def deciding_points(places: Array, speeds: Array, wanted: Index, window: float) -> Index:
+    """Return the point (j,) whose line bounds the command most at each wanted point (j,).
+
+    Args:
+        places: Shape (k,) [m], ascending.
+        speeds: Shape (k,) [m/s]: maximum speeds of the arm there.
+        wanted: Points, ascending, shape (j,).
+        window: The filter time [s].
+    """
+    slopes, first, after = _lines(places, speeds, np.arange(len(places)), window)
+    lowest, deciding = speeds[wanted], wanted.copy()
+    # Few points are wanted, and only lines that reach one of them count.
+    for line, other in _pairs(*(np.searchsorted(wanted, end) for end in (first, after))):
+        values = speeds[line] + slopes[line] * (places[wanted[other]] - places[line])
+        before = lowest.copy()
+        np.minimum.at(lowest, other, values)
+        # Of equal lines the first one counts: it is written last.
+        least = np.flatnonzero((values == lowest[other]) & (values < before[other]))[::-1]
+        deciding[other[least]] = line[least]
     return deciding
 
 

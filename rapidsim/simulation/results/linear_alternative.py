@@ -11,11 +11,11 @@ from dataclasses import replace
 
 import numpy as np
 
+from rapidsim.controller.moves.arrival import end_of_curve
 from rapidsim.controller.moves.configuration_choice import nearest
 from rapidsim.frames.transform import Array, Transform
 from rapidsim.motion.configurations.confdata import (
     Configuration,
-    configuration,
     configurations,
     has_branches,
 )
@@ -30,7 +30,6 @@ from rapidsim.motion.geometry.segments import (
 )
 from rapidsim.motion.model import MotionModel
 from rapidsim.motion.path.building import build_path
-from rapidsim.motion.path.curve_feasibility import survey_curves
 from rapidsim.motion.path.curve_following import PathFault
 from rapidsim.motion.robot.robot import Robot
 from rapidsim.simulation.results.simulation import RobotRun
@@ -117,9 +116,9 @@ def linear_alternative(
 
 def _arrival(robot: Robot, line: Segment) -> Configuration | None:
     """Return the end configuration; the nearest one if the branch ends before, None without any."""
-    (way,) = survey_curves(robot, [line], None)
-    if way.arrival is not None and not way.broken:
-        return configuration(robot.kinematics, way.arrival)
+    arrived = end_of_curve(robot, line)
+    if arrived is not None:
+        return arrived
     working = configurations(robot, line.end.base_from_tcp @ line.tcp_from_flange)
     return nearest(working, line.start.joints) if working else None
 
