@@ -65,10 +65,27 @@ class Bounds:
         if enough is None:
             return self._gaps_of_boxes(first, second, second_from_first.rotation, here, gap)
         rows = np.flatnonzero(gap < enough)
+        gap[rows] = np.maximum(
+            gap[rows],
+            self._along_centres(
+                first[rows], second[rows], second_from_first.rotation[rows], here[rows]
+            ),
+        )
+        rows = rows[gap[rows] < enough[rows]]
         gap[rows] = self._gaps_of_boxes(
             first[rows], second[rows], second_from_first.rotation[rows], here[rows], gap[rows]
         )
         return gap
+
+    def _along_centres(self, first: Index, second: Index, turn: Array, between: Array) -> Array:
+        """Return the gaps (k,) [m] of boxes seen along the lines between their centres."""
+        length = np.sqrt(np.einsum("ki,ki->k", between, between))
+        along = between / np.maximum(length, 1e-12)[:, None]
+        for body, ahead in ((second, along), (first, np.einsum("kij,ki->kj", turn, along))):
+            if self.axes is not None:
+                ahead = np.einsum("kij,ki->kj", self.axes[body], ahead)
+            length = length - np.einsum("kj,kj->k", np.abs(ahead), self.half[body])
+        return length
 
     def _gaps_of_boxes(
         self, first: Index, second: Index, turn: Array, between: Array, gap: Array

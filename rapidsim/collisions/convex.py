@@ -22,6 +22,7 @@ Index = npt.NDArray[np.int64]
 Mask = npt.NDArray[np.bool_]
 NO_TRIANGLES: Array = np.zeros((0, 3, 3))
 _BOX = np.array([[x, y, z] for x in (-1.0, 1.0) for y in (-1.0, 1.0) for z in (-1.0, 1.0)])
+_AT_ONCE = 100_000
 _FEW = 8
 """Number of points up to which parts are processed in one array, others one by one."""
 
@@ -153,8 +154,11 @@ class ConvexParts:
             of_row, ahead = part[rows], direction[rows]
             edges = [0, *(np.flatnonzero(np.diff(of_row)) + 1).tolist(), len(rows)]
             best = np.empty(len(rows), dtype=np.int64)
-            for begin, end in pairwise(edges):
-                cloud = self._clouds[of_row[begin]]
-                (ahead[begin:end] @ cloud).argmax(axis=1, out=best[begin:end])
+            for start, end in pairwise(edges):
+                cloud = self._clouds[of_row[start]]
+                some = max(1, _AT_ONCE // cloud.shape[1])
+                for begin in range(start, end, some):
+                    rows_at_once = slice(begin, min(begin + some, end))
+                    (ahead[rows_at_once] @ cloud).argmax(axis=1, out=best[rows_at_once])
             points[rows] = self._cloud_points[self._cloud_start[of_row] + best]
         return points

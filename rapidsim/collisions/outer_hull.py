@@ -18,8 +18,8 @@ from rapidsim.frames.transform import Array, Transform
 _DIRECTIONS = 1000
 _FEW = 2500
 """Number of points up to which all are kept."""
-_CLOSE_M = 1e-4
-"""Tolerance [m] of the distances of points outside the hull."""
+_CLOSE_M = (1e-2, 1e-3, 1e-4)
+"""Tolerances [m] of the distances of points outside the hull: a finer one for the farthest."""
 
 
 def outer_hull(shape: Shape) -> ConvexPart:
@@ -41,11 +41,15 @@ def _around(points: Array) -> ConvexPart:
     """Return a convex part that contains points (n, 3)."""
     if len(points) <= _FEW:
         return ConvexPart(points)
-    extreme = np.unique((points @ directions_around(_DIRECTIONS).T).argmax(axis=0))
+    extreme = np.unique((directions_around(_DIRECTIONS) @ points.T).argmax(axis=1))
     hull = ConvexPart(points[extreme])
     others = np.delete(points, extreme, axis=0)
-    row = np.zeros(len(others), dtype=np.int64)
-    seen = Transform(np.broadcast_to(np.eye(3), (len(others), 3, 3)), others)
     parts = ConvexParts([ConvexPart(np.zeros((1, 3))), hull])
-    excess = distances(parts, row, row + 1, seen, close=_CLOSE_M).distances_found
-    return ConvexPart(hull.points, radius=max(0.0, float(excess.max())) + _CLOSE_M)
+    excess = 0.0
+    for close in _CLOSE_M:
+        row = np.zeros(len(others), dtype=np.int64)
+        seen = Transform(np.broadcast_to(np.eye(3), (len(others), 3, 3)), others)
+        found = distances(parts, row, row + 1, seen, close=close)
+        excess = float(found.least.max(initial=excess))
+        others = others[found.distances_found > excess]
+    return ConvexPart(hull.points, radius=excess + close)
