@@ -31,7 +31,7 @@ _NEARER_M, _NEARER = 5e-4, 0.02
 """Tolerance of a clearance: the larger of a length [m] and a share of it."""
 _OF_SURFACES = 2.5
 """Factor of the tolerance for surfaces of triangles, whose gaps cost more."""
-_OF_TRAVEL, _OF_GAP = 0.1, 0.02
+_OF_TRAVEL, _OF_GAP = 0.1, 0.025
 """Tolerance of gaps of surfaces, as shares of the travel in an interval and of the gap."""
 _BLOCK = 2000
 """Number of instants in the first pass of a block."""

@@ -91,7 +91,7 @@ class Bodies:
         self._start_from_hulls(search, roots.rows(surfaces), first, second)
         search.follow(roots.rows(search.least < enough))
         # Pairs that were not checked, or not completely, are no nearer than requested.
-        found = search.found - 2.0 * search.tolerance(np.arange(len(first)), search.found)
+        found = search.found - 1.01 * search.tolerance(np.arange(len(first)), search.found)
         least = np.maximum(search.least, np.minimum(search.limit, found))
         return Gaps(least, search.found, search.point)
 

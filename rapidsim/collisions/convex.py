@@ -22,9 +22,10 @@ Index = npt.NDArray[np.int64]
 Mask = npt.NDArray[np.bool_]
 NO_TRIANGLES: Array = np.zeros((0, 3, 3))
 _BOX = np.array([[x, y, z] for x in (-1.0, 1.0) for y in (-1.0, 1.0) for z in (-1.0, 1.0)])
-_AT_ONCE = 100_000
 _FEW = 8
 """Number of points up to which parts are processed in one array, others one by one."""
+_AT_ONCE = 100_000
+"""Number of products of points and directions at once: more do not fit the processor's cache."""
 
 
 @value_class(frozen=True, slots=True, eq=False)
@@ -64,9 +65,9 @@ class ConvexParts:
         """Number of the part that is the first triangle."""
         self.radius = np.array([part.radius for part in parts] + more * [0.0])
         low = np.array([part.points.min(axis=0) for part in parts]).reshape(-1, 3)
-        low = np.concatenate([low, triangles.min(axis=1)])
+        low = np.concatenate([low, np.minimum.reduce(np.swapaxes(triangles, 0, 1))])
         high = np.array([part.points.max(axis=0) for part in parts]).reshape(-1, 3)
-        high = np.concatenate([high, triangles.max(axis=1)])
+        high = np.concatenate([high, np.maximum.reduce(np.swapaxes(triangles, 0, 1))])
         self.centre: Array = 0.5 * (low + high)
         apart = triangles - self.centre[count:, None]
         far = np.sqrt(np.einsum("kij,kij->ki", apart, apart)).max(axis=1)
@@ -156,9 +157,9 @@ class ConvexParts:
             best = np.empty(len(rows), dtype=np.int64)
             for start, end in pairwise(edges):
                 cloud = self._clouds[of_row[start]]
-                some = max(1, _AT_ONCE // cloud.shape[1])
+                some = 1 + _AT_ONCE // cloud.shape[1]
                 for begin in range(start, end, some):
-                    rows_at_once = slice(begin, min(begin + some, end))
-                    (ahead[rows_at_once] @ cloud).argmax(axis=1, out=best[rows_at_once])
+                    few = slice(begin, min(begin + some, end))
+                    (ahead[few] @ cloud).argmax(axis=1, out=best[few])
             points[rows] = self._cloud_points[self._cloud_start[of_row] + best]
         return points

@@ -174,7 +174,7 @@ class NearestParts:
         overlap = np.isneginf(got.distances_found)
         exact = overlap | (
             got.distances_found - np.where(overlap, 0.0, got.least)
-            < 2.0 * self.tolerance(row, got.distances_found)
+            < 1.01 * self.tolerance(row, got.distances_found)
         )
         value = np.where(exact, value, np.inf)
         order = np.lexsort((value, row))
