@@ -24,7 +24,7 @@ NO_TRIANGLES: Array = np.zeros((0, 3, 3))
 _BOX = np.array([[x, y, z] for x in (-1.0, 1.0) for y in (-1.0, 1.0) for z in (-1.0, 1.0)])
 _FEW = 8
 """Number of points up to which parts are processed in one array, others one by one."""
-_AT_ONCE = 100_000
+_AT_ONCE = 60_000
 """Number of products of points and directions at once: more do not fit the processor's cache."""
 
 
