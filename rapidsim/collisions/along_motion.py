@@ -31,8 +31,8 @@ _NEARER_M, _NEARER = 5e-4, 0.02
 """Tolerance of a clearance: the larger of a length [m] and a share of it."""
 _OF_SURFACES = 2.5
 """Factor of the tolerance for surfaces of triangles, whose gaps cost more."""
-_OF_TRAVEL = 0.1
-"""Tolerance of gaps of surfaces, as a share of the travel in an interval."""
+_OF_TRAVEL, _OF_GAP = 0.1, 0.025
+"""Tolerance of gaps of surfaces, as shares of the travel in an interval and of the gap."""
 _BLOCK = 2000
 """Number of instants in the first pass of a block."""
 _AT_ONCE = 100_000
@@ -328,7 +328,7 @@ class _Search:
         first, second = self._first[pair], self._second[pair]
         surfaces = self._bodies.has_surfaces(first, second)
         close = np.where(surfaces, np.maximum(_OF_TRAVEL * travel, CLOSE_M), CLOSE_M)
-        return self._bodies.gaps(first, second, self._seen(pair, at), enough, close)
+        return self._bodies.gaps(first, second, self._seen(pair, at), enough, close, _OF_GAP)
 
     def _note(self, pair: Index, at: Index, gap: Array, point: Array) -> None:
         """Record contacts and nearest points."""

@@ -10,7 +10,12 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from rapidsim.collisions.bounds_tree import BoundsTrees, NodePairs, first_of_each
+from rapidsim.collisions.bounds_tree import (
+    BoundsTrees,
+    NodePairs,
+    best_first,
+    first_of_each,
+)
 from rapidsim.collisions.convex import NO_TRIANGLES, ConvexParts, Index, Mask
 from rapidsim.collisions.distance import distances
 from rapidsim.collisions.nearest_parts import CLOSE, CLOSE_M, NearestParts
@@ -19,9 +24,6 @@ from rapidsim.collisions.overlap import depths, flat_overlaps, shortest
 from rapidsim.collisions.shape import Shape
 from rapidsim.frames.transform import Array, Transform
 from rapidsim.values import value_class
-
-_FIRST, _MORE = 4, 8
-"""Number of pairs of parts whose depth is measured first for each query, and its growth."""
 
 
 @value_class(frozen=True, slots=True, eq=False)
@@ -68,6 +70,7 @@ class Bodies:
         second_from_first: Transform,
         enough: Array,
         close: Array | float = CLOSE_M,
+        share: float = CLOSE,
     ) -> Gaps:
         """Return the gaps of pairs of bodies.
 
@@ -77,15 +80,18 @@ class Bodies:
             second_from_first: Poses of the first bodies (k,).
             enough: Gap (k,) [m] above which a lower bound suffices.
             close: Absolute tolerances [m] of all gaps or of each (k,).
+            share: Relative tolerance of gaps of surfaces; the larger applies.
         """
         roots = self._roots(first, second, second_from_first)
         surfaces = self.has_surfaces(first, second)
-        search = NearestParts(self._trees, second_from_first, enough, close, roots.near, surfaces)
+        search = NearestParts(
+            self._trees, second_from_first, enough, close, share, roots.near, surfaces
+        )
         surfaces = surfaces & (roots.near < enough)
         self._start_from_hulls(search, roots.rows(surfaces), first, second)
         search.follow(roots.rows(search.least < enough))
         # Pairs that were not checked, or not completely, are no nearer than requested.
-        found = search.found - 2.0 * search.tolerance(np.arange(len(first)), search.found)
+        found = search.found - 1.01 * search.tolerance(np.arange(len(first)), search.found)
         least = np.maximum(search.least, np.minimum(search.limit, found))
         return Gaps(least, search.found, search.point)
 
@@ -135,17 +141,12 @@ class Bodies:
         # Overlaps along normals are upper bounds: pairs below the deepest so far are irrelevant.
         most, _ = flat_overlaps(self._parts, part_a, part_b, second_from_first[row])
         deepest, pair = np.zeros(len(first)), np.full(len(first), -1, dtype=np.int64)
-        waiting, many = np.arange(len(row)), _FIRST
-        while len(waiting):
-            chosen = first_of_each(row[waiting], -most[waiting], many)
-            tried = waiting[chosen]
+        batches = best_first(row, -most, lambda waiting: most[waiting] > deepest[row[waiting]])
+        for tried in batches:
             pose = second_from_first[row[tried]]
             deep, _ = depths(self._parts, part_a[tried], part_b[tried], pose)
             better = first_of_each(row[tried], -deep, 1) & (deep > deepest[row[tried]])
             deepest[row[tried[better]]], pair[row[tried[better]]] = deep[better], tried[better]
-            waiting = waiting[~chosen]
-            waiting = waiting[most[waiting] > deepest[row[waiting]]]
-            many *= _MORE
         if exact:
             rows = np.flatnonzero(pair >= 0)
             a, b = part_a[pair[rows]], part_b[pair[rows]]

@@ -65,10 +65,27 @@ class Bounds:
         if enough is None:
             return self._gaps_of_boxes(first, second, second_from_first.rotation, here, gap)
         rows = np.flatnonzero(gap < enough)
+        gap[rows] = np.maximum(
+            gap[rows],
+            self._along_centres(
+                first[rows], second[rows], second_from_first.rotation[rows], here[rows]
+            ),
+        )
+        rows = rows[gap[rows] < enough[rows]]
         gap[rows] = self._gaps_of_boxes(
             first[rows], second[rows], second_from_first.rotation[rows], here[rows], gap[rows]
         )
         return gap
+
+    def _along_centres(self, first: Index, second: Index, turn: Array, between: Array) -> Array:
+        """Return the gaps (k,) [m] of boxes seen along the lines between their centres."""
+        length: Array = np.sqrt(np.einsum("ki,ki->k", between, between))
+        along = between / np.maximum(length, 1e-12)[:, None]
+        for body, ahead in ((second, along), (first, np.einsum("kij,ki->kj", turn, along))):
+            if self.axes is not None:
+                ahead = np.einsum("kij,ki->kj", self.axes[body], ahead)
+            length = length - np.einsum("kj,kj->k", np.abs(ahead), self.half[body])
+        return length
 
     def _gaps_of_boxes(
         self, first: Index, second: Index, turn: Array, between: Array, gap: Array
@@ -115,26 +132,28 @@ def around(corners: Array, starts: Index, *, turned: bool) -> Bounds:
         turned: Whether boxes are turned along the principal axes of all corners if that makes their
             surface smaller: the box of a piece of a surface is thin.
     """
-    size = np.diff(starts, append=len(corners))
-    low = np.minimum.reduceat(corners.min(axis=1), starts, axis=0)
-    high = np.maximum.reduceat(corners.max(axis=1), starts, axis=0)
+    size, each = np.diff(starts, append=len(corners)), corners.shape[1]
+    points, first, count = corners.reshape(-1, 3), each * starts, each * size
+    low = np.minimum.reduceat(points, first, axis=0)
+    high = np.maximum.reduceat(points, first, axis=0)
     centre, half, axes = 0.5 * (low + high), 0.5 * (high - low), None
     if turned:
-        apart = corners - np.repeat(centre, size, axis=0)[:, None]
-        mean = np.add.reduceat(apart.mean(axis=1), starts, axis=0) / size[:, None]
-        from_mean = apart - np.repeat(mean, size, axis=0)[:, None]
-        spread = np.add.reduceat(np.einsum("nki,nkj->nij", from_mean, from_mean), starts, axis=0)
+        apart = points - np.repeat(centre, count, axis=0)
+        mean = np.add.reduceat(apart, first, axis=0) / count[:, None]
+        from_mean = (apart - np.repeat(mean, count, axis=0)).reshape(corners.shape)
+        spread = np.add.reduceat(np.swapaxes(from_mean, 1, 2) @ from_mean, starts, axis=0)
         _, axes = np.linalg.eigh(spread)
-        along = np.einsum("nki,nij->nkj", apart, np.repeat(axes, size, axis=0))
-        low = np.minimum.reduceat(along.min(axis=1), starts, axis=0)
-        high = np.maximum.reduceat(along.max(axis=1), starts, axis=0)
+        along = apart.reshape(corners.shape) @ np.repeat(axes, size, axis=0)
+        low = np.minimum.reduceat(along.reshape(-1, 3), first, axis=0)
+        high = np.maximum.reduceat(along.reshape(-1, 3), first, axis=0)
         better = _surface(0.5 * (high - low)) < _surface(half)
         axes[~better] = np.eye(3)
         half = np.where(better[:, None], 0.5 * (high - low), half)
         middle = np.einsum("gij,gj->gi", axes, 0.5 * (low + high))
         centre = np.where(better[:, None], centre + middle, centre)
-    far = np.linalg.norm(corners - np.repeat(centre, size, axis=0)[:, None], axis=2).max(axis=1)
-    return Bounds(centre, half, np.maximum.reduceat(far, starts), axes)
+    from_centre = points - np.repeat(centre, count, axis=0)
+    far = np.sqrt(np.einsum("ki,ki->k", from_centre, from_centre))
+    return Bounds(centre, half, np.maximum.reduceat(far, first), axes)
 
 
 def _surface(half: Array) -> Array:

@@ -10,7 +10,7 @@ each other.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Iterator, Sequence
 
 import numpy as np
 
@@ -22,6 +22,8 @@ from rapidsim.values import value_class
 
 _MEMBERS, _FEW = 4, 64
 """Number of members of a group, and of parts up to which a body is a single group."""
+_FIRST, _MORE = 4, 8
+"""Number of rows of each query in the first batch of `best_first`, and its growth."""
 _BITS = 20
 """Number of bits of each coordinate in the order of the parts."""
 
@@ -150,6 +152,17 @@ def first_of_each(query: Index, order: Array, count: int | Index) -> Mask:
     found = np.zeros(len(rows), dtype=np.bool_)
     found[rows[rank < (count if isinstance(count, int) else count[rows])]] = True
     return found
+
+
+def best_first(query: Index, order: Array, matters: Callable[[Index], Mask]) -> Iterator[Index]:
+    """Yield rows (k,) of each query in an order: a few at first, then more of those that matter."""
+    waiting, many = np.arange(len(query)), _FIRST
+    while len(waiting):
+        some = first_of_each(query[waiting], order[waiting], many)
+        yield waiting[some]
+        waiting = waiting[~some]
+        waiting = waiting[matters(waiting)]
+        many *= _MORE
 
 
 def _along_curve(centres: Array) -> Index:

@@ -24,6 +24,8 @@ NO_TRIANGLES: Array = np.zeros((0, 3, 3))
 _BOX = np.array([[x, y, z] for x in (-1.0, 1.0) for y in (-1.0, 1.0) for z in (-1.0, 1.0)])
 _FEW = 8
 """Number of points up to which parts are processed in one array, others one by one."""
+_AT_ONCE = 60_000
+"""Number of products of points and directions at once: more do not fit the processor's cache."""
 
 
 @value_class(frozen=True, slots=True, eq=False)
@@ -63,9 +65,9 @@ class ConvexParts:
         """Number of the part that is the first triangle."""
         self.radius = np.array([part.radius for part in parts] + more * [0.0])
         low = np.array([part.points.min(axis=0) for part in parts]).reshape(-1, 3)
-        low = np.concatenate([low, triangles.min(axis=1)])
+        low = np.concatenate([low, np.minimum.reduce(np.swapaxes(triangles, 0, 1))])
         high = np.array([part.points.max(axis=0) for part in parts]).reshape(-1, 3)
-        high = np.concatenate([high, triangles.max(axis=1)])
+        high = np.concatenate([high, np.maximum.reduce(np.swapaxes(triangles, 0, 1))])
         self.centre: Array = 0.5 * (low + high)
         apart = triangles - self.centre[count:, None]
         far = np.sqrt(np.einsum("kij,kij->ki", apart, apart)).max(axis=1)
@@ -153,8 +155,11 @@ class ConvexParts:
             of_row, ahead = part[rows], direction[rows]
             edges = [0, *(np.flatnonzero(np.diff(of_row)) + 1).tolist(), len(rows)]
             best = np.empty(len(rows), dtype=np.int64)
-            for begin, end in pairwise(edges):
-                cloud = self._clouds[of_row[begin]]
-                (ahead[begin:end] @ cloud).argmax(axis=1, out=best[begin:end])
+            for start, end in pairwise(edges):
+                cloud = self._clouds[of_row[start]]
+                some = 1 + _AT_ONCE // cloud.shape[1]
+                for begin in range(start, end, some):
+                    few = slice(begin, min(begin + some, end))
+                    (ahead[few] @ cloud).argmax(axis=1, out=best[few])
             points[rows] = self._cloud_points[self._cloud_start[of_row] + best]
         return points

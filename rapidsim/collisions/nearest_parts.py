@@ -9,7 +9,12 @@ from __future__ import annotations
 
 import numpy as np
 
-from rapidsim.collisions.bounds_tree import BoundsTrees, NodePairs, first_of_each
+from rapidsim.collisions.bounds_tree import (
+    BoundsTrees,
+    NodePairs,
+    best_first,
+    first_of_each,
+)
 from rapidsim.collisions.convex import Index, Mask
 from rapidsim.collisions.distance import distances
 from rapidsim.collisions.overlap import TOUCH_M, flat_overlaps
@@ -23,10 +28,8 @@ _BEAM = 48
 """Number of pairs of nodes that are followed to find a first gap of surfaces; else it is one."""
 _SLIDES, _AT_POINT = 6, 2
 """Largest number of steps from nearest points to nearer ones, and of parts near a point."""
-_FIRST, _MORE = 4, 8
-"""Number of pairs of parts that are measured first for each query, and its growth."""
 CLOSE_M, CLOSE = 5e-8, 2e-3
-"""Absolute tolerance [m] of gaps unless given, and relative one; the larger applies."""
+"""Absolute tolerance [m] of gaps by default, and relative one; the larger applies."""
 
 
 class NearestParts:
@@ -38,11 +41,13 @@ class NearestParts:
         second_from_first: Transform,
         enough: Array,
         close: Array | float,
+        share: float,
         least: Array,
         surfaces: Mask,
     ) -> None:
         """Start with no gap found."""
         self._beam = np.where(surfaces, _BEAM, 1)
+        self._share = np.where(surfaces, share, CLOSE)
         self._close = np.broadcast_to(np.asarray(close), (len(enough),))
         self._parts, self._trees, self.seen = trees.parts, trees, second_from_first
         self.least = least.copy()
@@ -59,7 +64,7 @@ class NearestParts:
 
     def tolerance(self, query: Index, gap: Array) -> Array:
         """Return the tolerances (k,) [m] of gaps of queries (k,)."""
-        share = CLOSE * np.where(np.isfinite(gap), gap, 0.0)
+        share = self._share[query] * np.where(np.isfinite(gap), gap, 0.0)
         tolerance: Array = np.maximum(self._close[query], share)
         return tolerance
 
@@ -134,13 +139,11 @@ class NearestParts:
         self._measure_nearest_first(pairs)
 
     def _measure_nearest_first(self, pairs: NodePairs) -> None:
-        many = _FIRST
-        while len(pairs.query):
-            some = first_of_each(pairs.query, pairs.near, many)
+        batches = best_first(
+            pairs.query, pairs.near, lambda waiting: self._matters(pairs.rows(waiting))
+        )
+        for some in batches:
             self.measure(pairs.rows(some))
-            pairs = pairs.rows(~some)
-            pairs = pairs.rows(self._matters(pairs))
-            many *= _MORE
 
     def measure(self, pairs: NodePairs) -> None:
         """Compute the gaps of pairs of parts."""
@@ -171,7 +174,7 @@ class NearestParts:
         overlap = np.isneginf(got.distances_found)
         exact = overlap | (
             got.distances_found - np.where(overlap, 0.0, got.least)
-            < 2.0 * self.tolerance(row, got.distances_found)
+            < 1.01 * self.tolerance(row, got.distances_found)
         )
         value = np.where(exact, value, np.inf)
         order = np.lexsort((value, row))

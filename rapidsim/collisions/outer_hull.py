@@ -7,17 +7,21 @@ that are extreme in some direction, rounded by the distance of the farthest poin
 
 from __future__ import annotations
 
+from functools import lru_cache
+
 import numpy as np
 
 from rapidsim.collisions.convex import ConvexPart, ConvexParts
 from rapidsim.collisions.distance import distances
 from rapidsim.collisions.overlap import directions_around
 from rapidsim.collisions.shape import Shape
-from rapidsim.frames.transform import Array, Transform
+from rapidsim.frames.transform import Transform
 
 _DIRECTIONS = 1000
 _FEW = 2500
 """Number of points up to which all are kept."""
+_KEPT = 16
+"""Number of bodies whose hulls are kept, by content: each run builds its bodies anew."""
 _CLOSE_M = 1e-4
 """Tolerance [m] of the distances of points outside the hull."""
 
@@ -25,27 +29,22 @@ _CLOSE_M = 1e-4
 def outer_hull(shape: Shape) -> ConvexPart:
     """Return a convex part that contains a shape."""
     parts = ConvexParts(shape.parts)
-    angular = [number for number, part in enumerate(shape.parts) if not (part.radius or part.disc)]
-    round_ones = np.setdiff1d(np.arange(len(shape.parts)), angular)
-    points = np.concatenate(
-        [
-            *(shape.parts[number].points for number in angular),
-            parts.corners(round_ones).reshape(-1, 3),
-            shape.triangles.reshape(-1, 3),
-        ]
-    )
-    return _around(np.unique(points, axis=0))
+    round_ones = [number for number, part in enumerate(shape.parts) if part.radius or part.disc]
+    corners = parts.corners(np.array(round_ones, dtype=np.int64)).reshape(-1, 3)
+    return _around(np.concatenate([corners, shape.vertices]).tobytes())
 
 
-def _around(points: Array) -> ConvexPart:
-    """Return a convex part that contains points (n, 3)."""
+@lru_cache(maxsize=_KEPT)
+def _around(coordinates: bytes) -> ConvexPart:
+    """Return a convex part that contains points, of which these are the coordinates."""
+    points = np.frombuffer(coordinates).reshape(-1, 3)
     if len(points) <= _FEW:
         return ConvexPart(points)
-    extreme = np.unique((points @ directions_around(_DIRECTIONS).T).argmax(axis=0))
-    hull = ConvexPart(points[extreme])
-    others = np.delete(points, extreme, axis=0)
-    row = np.zeros(len(others), dtype=np.int64)
-    seen = Transform(np.broadcast_to(np.eye(3), (len(others), 3, 3)), others)
+    row = np.zeros(len(points), dtype=np.int64)
+    every = ConvexParts([ConvexPart(points)])
+    extreme = every.farthest(row[:_DIRECTIONS], directions_around(_DIRECTIONS))
+    hull = ConvexPart(np.unique(extreme, axis=0))
+    seen = Transform(np.broadcast_to(np.eye(3), (len(points), 3, 3)), points)
     parts = ConvexParts([ConvexPart(np.zeros((1, 3))), hull])
     excess = distances(parts, row, row + 1, seen, close=_CLOSE_M).distances_found
     return ConvexPart(hull.points, radius=max(0.0, float(excess.max())) + _CLOSE_M)

@@ -18,6 +18,8 @@ _LEVEL = 1e-7
 """Height of a point above a face next to it, as a share of the size, up to which it is level."""
 _FLAT = 1e-14
 """Ratio of a triangle's double area to the square of its longest edge below which it is flat."""
+_AT_ONCE = 50_000
+"""Number of points times faces at once: more do not fit the processor's cache."""
 
 
 @value_class(frozen=True, slots=True, eq=False)
@@ -143,7 +145,7 @@ def hollowness(vertices: Array, faces: Faces, enough_m: float = np.inf) -> float
         return 0.0
     # Faces in files may have any orientation: out is the side with fewer points beyond.
     deepest = 0.0
-    count = max(1, len(faces) * len(used) // 2_000_000)
+    count = max(1, len(faces) * len(used) // _AT_ONCE)
     for part in range(count):
         # Faces all over the piece, so that a cavity is found soon.
         heights = used @ normals[part::count].T

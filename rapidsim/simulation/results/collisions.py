@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import replace
+from functools import cached_property
 
 import numpy as np
 
@@ -31,7 +32,7 @@ class _Crash:
     contacts: list[Contact]
 
 
-@value_class(frozen=True, slots=True, eq=False, repr=False)
+@value_class(frozen=True, eq=False, repr=False)
 class Collisions:
     """Contacts and clearances of a run."""
 
@@ -58,7 +59,7 @@ class Collisions:
         """Contacts that begin during the run; an object lying on a table touched it before."""
         return tuple(one for one in self.report.contacts if not one.continued)
 
-    @property
+    @cached_property
     def crashes(self) -> tuple[tuple[Contact, ...], ...]:
         """Contacts that begin during the run, by crash."""
         return tuple(_crashes(self.report.contacts, self.part_events))
