@@ -34,6 +34,8 @@ class ControlStation:
     identity: str
     """GUID in braces."""
     name: str
+    releases_when_lost: bool = field(default=False, compare=False)
+    """Whether the end of its session releases the write access."""
 
 
 @dataclass(slots=True)
@@ -130,7 +132,9 @@ class RequestContext:
 
     def release_all(self, session: int) -> None:
         """Release all resources held by a session."""
-        self.stations.pop(session, None)
+        station = self.stations.pop(session, None)
+        if station is not None and station.releases_when_lost and station == self.writer:
+            self.writer, self.is_access_exclusive = None, False
         self.masters = {key: one for key, one in self.masters.items() if one != session}
         for name in [name for name, owner in self.owners.items() if owner == session]:
             self.live.cell.messages.disconnect(name)

@@ -108,6 +108,12 @@ def set_speed_ratio(context: RequestContext, request: Request) -> Answer:
 
 
 def collision_detection(context: RequestContext, request: Request) -> Answer:
-    """The state of collision detection, which never triggers here."""
-    del context, request
-    return Answer((Item("pnl-coldetstate", "collisiondetectstate", {"coldetstate": "INIT"}),))
+    """The state of collision detection."""
+    del request
+    return Answer((collision_item(context),))
+
+
+def collision_item(context: RequestContext) -> Item:
+    """Return the state of collision detection, which never triggers here, as an item."""
+    del context
+    return Item("pnl-coldetstate", "collisiondetectstate", {"coldetstate": "INIT"})

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from typing import Final
 
-from rapidsim.server.messages import Answer, Request
+from rapidsim.server.messages import Answer, Item, Request
 from rapidsim.server.resources import (
     backups,
     configuration,
@@ -267,6 +267,16 @@ ROUTES: Final[Mapping[int, tuple[Route, ...]]] = {
 }
 """Routes by version of RobotWare; if several match an address, the first counts."""
 
+_INDEX_KINDS: Final = {
+    "": "srvlst-service-li",
+    "rw": "rwservice-li",
+    "rw/panel": "pnl-{}-li",
+    "rw/iosystem": "ios-{}-li",
+    "rw/rapid": "rap-{}-li",
+    "rw/rapid/uiinstr": "rap-{}-li",
+}
+"""Classes of the resources below an address that is no resource itself, with their names."""
+
 
 def answered(context: RequestContext, request: Request) -> Answer:
     """Answer a request.
@@ -290,10 +300,21 @@ def answered(context: RequestContext, request: Request) -> Answer:
                 raise as_answered(refusal, request.generation) from None
     below = tuple(dict.fromkeys(_below(routes, parts)))
     if below and request.method == "GET" and not is_readable:
-        return Answer(links=below)
+        return _index("/".join(parts), below)
     if there:
         raise refused(BAD_PARAMETER, f"{request.method} {request.path}: no such action here")
     raise refused(NOT_FOUND, f"there is no resource {request.path}")
+
+
+def _index(address: str, names: tuple[str, ...]) -> Answer:
+    """Return the resources below an address that is no resource itself."""
+    kind = _INDEX_KINDS.get(address)
+    if kind is None:
+        return Answer(links=names)
+    prefix = f"{address}/" if address else ""
+    listed = tuple(Item(kind.format(one), one, href=f"{prefix}{one}") for one in names)
+    # The addresses in the list of services are relative to the root.
+    return Answer(resources=listed, base="" if address == "rw" else address)
 
 
 def _below(routes: tuple[Route, ...], parts: list[str]) -> Iterator[str]:
