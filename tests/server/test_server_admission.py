@@ -62,6 +62,43 @@ def test_there_are_only_so_many_sessions(tmp_path: Path) -> None:
     serve(tmp_path, IDLE, use, most_sessions=2)
 
 
+def test_clients_with_a_session_are_listed_with_their_rights(tmp_path: Path) -> None:
+    async def use(served: Served) -> None:
+        async def titles(query: str = "") -> list[str]:
+            return [one["_title"] for one in await served.get(f"users{query}")]
+
+        assert await titles() == ["Default User"]
+        async with (
+            aiohttp.ClientSession(
+                middlewares=(aiohttp.DigestAuthMiddleware("Default User", "robotics"),),
+                cookie_jar=aiohttp.CookieJar(unsafe=True),
+            ) as other,
+            other.post(f"{served.base}/users", data={"username": "ada"}) as response,
+        ):
+            assert response.status == 201
+            assert (await titles(), await titles("?user-type=self")) == (
+                ["Default User", "ada"],
+                ["Default User"],
+            )
+            (poll,) = await served.get("users/rmmp/poll")
+            assert poll["status"] == "NO SUCH REQUEST"
+            async with other.post(f"{served.base}/users/rmmp", data={"privilege": "modify"}):
+                (state,) = await served.get("users/rmmp")
+            assert (state["_type"], state["alias"]) == ("user-rmmp", "ada")
+            assert (state["privilege"], state["rmmpheldbyme"]) == ("modify", "false")
+            async with other.get(f"{served.base}/logout"):
+                assert await titles() == ["Default User"]
+        (state,) = await served.get("users/rmmp")
+        assert state["privilege"] == "none"
+        assert await served.post("users/rmmp", privilege="modify") == (202, 0)
+        ((state,), (poll,)) = [await served.get(f"users/rmmp{one}") for one in ("", "/poll")]
+        assert (state["privilege"], state["rmmpheldbyme"]) == ("modify", "true")
+        assert poll["status"] == "GRANTED"
+        assert await served.post("users/rmmp?action=cancel") == (204, 0)
+
+    serve(tmp_path, IDLE, use)
+
+
 def test_nothing_is_kept_of_clients_that_have_gone(tmp_path: Path) -> None:
     # With a subscription each, which one lets go, one forgets and one loses.
     listed = {"resources": "1", "1": "/rw/rapid/execution;ctrlexecstate", "1-p": "1"}

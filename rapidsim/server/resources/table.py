@@ -45,7 +45,7 @@ _ACTIVE: Final = "rw/rapid/uiinstr/active"
 
 _BOTH: Final = (
     Route("GET", "ctrl", system.controller),
-    Route("GET", "ctrl/identity", system.controller),
+    Route("GET", "ctrl/identity", system.identity),
     Route("GET", "ctrl/clock", system.clock),
     Route("PUT", "ctrl/clock", system.set_clock),
     Route("GET", "ctrl/${name}", system.disk),
@@ -100,10 +100,10 @@ _BOTH: Final = (
     Route("POST", _FILE, files.change),
     Route("GET", "rw/mastership", system.mastership),
     Route("GET", "rw/mastership/{domain}", system.mastership_of),
-    Route("GET", "users", system.user),
+    Route("GET", "users", system.users),
     Route("POST", "users", system.register),
     Route("POST", "users/rmmp", system.remote_rights),
-    Route("GET", "users/rmmp", system.rights_granted),
+    Route("GET", "users/rmmp", system.rights),
     Route("GET", "users/rmmp/poll", system.rights_granted),
 )
 
@@ -284,6 +284,7 @@ def answered(context: RequestContext, request: Request) -> Answer:
     Raises:
         RefusedRequest: If there is no such resource or action, or it is refused.
     """
+    context.sessions.setdefault(request.session, "")
     parts = [part for part in request.path.split("/") if part]
     version = 6 if request.generation == 1 else 7
     routes = ROUTES[8 if version == 7 and context.has_control_stations else version]
