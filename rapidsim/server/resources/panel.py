@@ -62,6 +62,8 @@ def set_emergency_stop(context: RequestContext, request: Request) -> Answer:
 
 def restart(context: RequestContext, request: Request) -> Answer:
     """Restart the controller: warm, or cold with programs and data as at the start."""
+    if request.generation == 2:
+        context.require_mastership("rapid", request)
     is_warm = chosen(request.form, "restart-mode", _RestartMode) is _RestartMode.WARM
     context.live.faults.add(Fault(kind=FailureKind.RESTART, mode="warm" if is_warm else "cold"))
     context.live.settle()

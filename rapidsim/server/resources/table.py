@@ -167,7 +167,7 @@ _SECOND: Final = (
     Route("GET", "rw/panel/ctrl-state", panel.state),
     Route("POST", "rw/panel/ctrl-state", panel.set_state),
     Route("POST", "rw/panel/opmode", panel.set_mode),
-    Route("POST", "rw/panel/restart", panel.restart),
+    Route("POST", "ctrl/restart", panel.restart),
     Route("POST", "rw/panel/emergency-stop", panel.set_emergency_stop),
     Route("POST", f"{_EXECUTION}/start", programs.start),
     Route("POST", f"{_EXECUTION}/startprodentry", programs.start_production),
