@@ -1,6 +1,8 @@
 """Who comes in, and what nobody may do."""
 
 import asyncio
+import tempfile
+from collections.abc import AsyncIterator
 from pathlib import Path
 
 import aiohttp
@@ -241,6 +243,35 @@ def test_files_come_and_go_and_nobody_leaves_the_home_folder(tmp_path: Path) -> 
         assert (await ask("DELETE", "$HOME/logs/a.txt"))[0] == 204
         assert (await ask("DELETE", "$HOME/logs/a.txt"))[0] == 404
         assert (tmp_path / "secret.txt").read_text() == "secret"
+
+    serve(tmp_path, IDLE, use)
+
+
+def test_a_file_is_on_the_disk_while_it_arrives(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    arriving = tmp_path / "arriving"
+    arriving.mkdir()
+    monkeypatch.setattr(tempfile, "tempdir", str(arriving))
+
+    async def use(served: Served) -> None:
+        address, whole = f"{served.base}/fileservice/$HOME/a.bin", b"x" * 1_000_000
+
+        async def parts() -> AsyncIterator[bytes]:
+            yield whole
+            while not any(one.stat().st_size for one in arriving.iterdir()):
+                await asyncio.sleep(0.01)
+            assert not (tmp_path / "home" / "a.bin").exists()
+            yield b"end"
+
+        await served.get("rw/system")
+        async with served.client.put(address, data=parts()) as response:
+            assert response.status == 201
+        assert (tmp_path / "home" / "a.bin").read_bytes() == whole + b"end"
+        async with served.client.put(address, data=b"") as response:
+            assert response.status == 200
+        assert (tmp_path / "home" / "a.bin").read_bytes() == b""
+        assert list(arriving.iterdir()) == []
 
     serve(tmp_path, IDLE, use)
 

@@ -228,13 +228,14 @@ class HttpFrontend:
     ) -> web.StreamResponse:
         dialect = request.app[_DIALECT]
         has_content = is_file and request.method == "PUT"
-        message = await read_request(
+        reading = read_request(
             request, path, request[_SESSION].number, dialect.generation, is_file=has_content
         )
-        reply = await self.link.request(message)
-        if request[_IS_REPEATED]:
+        async with reading as message:
             reply = await self.link.request(message)
-        operation = message.action or path.rpartition("/")[2]
+            if request[_IS_REPEATED]:
+                reply = await self.link.request(message)
+        operation = request.query.get("action") or path.rpartition("/")[2]
         if request.method == "POST" and operation in self.latencies_s:
             await asyncio.sleep(self.latencies_s[operation])
         if is_file and isinstance(reply, ErrorAnswer):
