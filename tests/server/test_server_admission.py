@@ -141,6 +141,13 @@ def test_an_idle_session_ends() -> None:
     assert sessions.find(second.cookies, "http") is None
     assert ended == [second.number]
     assert sessions.find(first.cookies, "http") is first
+    with sessions.listening(first):
+        now[0] = 800.0
+        assert sessions.begin("d", "http") is not None
+    now[0] = 1100.0
+    assert sessions.find(first.cookies, "http") is first
+    now[0] = 1401.0
+    assert sessions.find(first.cookies, "http") is None
 
 
 @pytest.mark.parametrize(

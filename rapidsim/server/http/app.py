@@ -205,7 +205,8 @@ class HttpFrontend:
             return objection
         match first, request.method:
             case "poll", _:
-                return await self.groups.poll(request, dialect, rest, session.number)
+                with self.sessions.listening(session):
+                    return await self.groups.poll(request, dialect, rest, session.number)
             case "subscription", "POST" if not rest:
                 form = await read_form(request)
                 return await self.groups.subscribe(request, dialect, form, session.number)
