@@ -74,7 +74,8 @@ class RecordReader:
     def conversion(self, declared: Any) -> Conversion:
         """Return the conversion of JSON values to a type."""
         types, may_be_none = alternatives(marks_of(declared)[0])
-        convert = self._single(types[0]) if len(types) == 1 else _unchecked
+        is_known = len(types) == 1 or types[0] in self._custom
+        convert = self._single(types[0]) if is_known else _unchecked
         if may_be_none:
             return lambda value, path: None if value is None else convert(value, path)
         return convert

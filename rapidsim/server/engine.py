@@ -34,6 +34,7 @@ from rapidsim.server.messages import (
     ErrorAnswer,
     FromNetwork,
     Inquiry,
+    Message,
     Notification,
     ReadState,
     RefusedRequest,
@@ -43,6 +44,7 @@ from rapidsim.server.messages import (
     SessionEnded,
     Subscribe,
     Unsubscribe,
+    Upload,
 )
 from rapidsim.server.network_inputs import NetworkInputs
 from rapidsim.server.resources.context import RequestContext
@@ -286,6 +288,9 @@ class Engine:
         """Answer a message at the current virtual time."""
         if isinstance(message, ReadState):
             return self._replied(message)
+        if isinstance(message, Upload):
+            with message.opened() as request:
+                return self.reply(request)
         if isinstance(message, Request):
             self.pace.on_request()
         self._catch_up()
@@ -307,7 +312,7 @@ class Engine:
             self.live.advance(self.pace.horizon_s())
             self._publish_changes()
 
-    def _replied(self, message: Inquiry) -> Reply:
+    def _replied(self, message: Message | ReadState) -> Reply:
         try:
             return self._done(message)
         except RefusedRequest as refused:
@@ -322,7 +327,7 @@ class Engine:
             )
             return ErrorAnswer(500, -1, self.context.without_paths(defect))
 
-    def _done(self, message: Inquiry) -> Reply:
+    def _done(self, message: Message | ReadState) -> Reply:
         match message:
             case ReadState():
                 return looked(self.context, message)

@@ -6,8 +6,12 @@ of HTTP headers and representations.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import field
+import os
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
+from dataclasses import field, replace
+from mmap import ACCESS_READ, mmap
+from pathlib import Path
 from types import MappingProxyType
 from typing import Annotated, ClassVar, Final, TypeAlias
 
@@ -94,13 +98,34 @@ class Request:
     session: int = 0
     generation: Annotated[int, ValueForm.OPTIONAL] = 1
     """Generation of Robot Web Services: 1 or 2."""
-    content: Annotated[bytes, ValueForm.OPTIONAL] = b""
+    content: Annotated[bytes | memoryview, ValueForm.OPTIONAL] = b""
     """Body that is not a form."""
 
     @property
     def action(self) -> str:
         """The requested operation; empty for none."""
         return self.query.get("action", "")
+
+
+@value_class(frozen=True, slots=True)
+class Upload:
+    """A request whose content is in a file until it is answered."""
+
+    request: Request
+    file: Path
+
+    @contextmanager
+    def opened(self) -> Iterator[Request]:
+        """The request with its content, which is not read into the memory."""
+        with self.file.open("rb") as stream:
+            if not os.fstat(stream.fileno()).st_size:
+                yield self.request
+                return
+            with (
+                mmap(stream.fileno(), 0, access=ACCESS_READ) as mapped,
+                memoryview(mapped) as content,
+            ):
+                yield replace(self.request, content=content)
 
 
 @value_class(frozen=True, slots=True)
@@ -174,7 +199,7 @@ Message: TypeAlias = (
     Request | SessionEnded | Subscribe | Unsubscribe | FromNetwork | BeginFault | EndFaults
 )
 """Messages that affect the controller: its journal records them all."""
-Inquiry: TypeAlias = Message | ReadState
+Inquiry: TypeAlias = Message | Upload | ReadState
 """All messages that the engine answers."""
 Reply: TypeAlias = Answer | ErrorAnswer
 

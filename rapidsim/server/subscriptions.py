@@ -9,7 +9,7 @@ from itertools import zip_longest
 from typing import Final
 
 from rapidsim.server.messages import ChangeEvent, Item, RefusedRequest, Subscribe
-from rapidsim.server.resources import panel, programs, signals, symbols
+from rapidsim.server.resources import panel, programs, questions, signals, symbols
 from rapidsim.server.resources.codes import NOT_FOUND, refused
 from rapidsim.server.resources.context import RequestContext
 from rapidsim.server.resources.queues import message_item
@@ -23,6 +23,7 @@ _SYMBOLS_2: Final = "/rw/rapid/symbol/RAPID/"
 """Addresses of data in RobotWare 7, where `/data` follows the name."""
 _LOG: Final = "/rw/elog/"
 _QUEUES: Final = "/rw/dipc/"
+_QUESTIONS: Final = "/rw/rapid/uiinstr"
 
 Look = Callable[[], tuple[Item, ...]]
 
@@ -191,11 +192,18 @@ class Subscriptions:
         ):
             return lambda: tuple(self._symbol_items(resource))
         base, _, kind = resource.partition(";")
+        if (base, kind) == (_QUESTIONS, "uievent"):
+            return self._question_items
         for address, suffix, event, item in _STATES:
             if base == address and kind in ("", suffix):
                 href = resource if suffix == "ctrlexecstate" else address
                 return lambda: (_event(item(self.context), event, suffix, href),)
         raise refused(NOT_FOUND, f"{resource} cannot be subscribed to")
+
+    def _question_items(self) -> tuple[Item, ...]:
+        found = self.context.live.pendant.questions.values()
+        items = (questions.question_item(one) for one in found)
+        return tuple(replace(one, kind="rap-ui-ev", title="uiinstruction") for one in items)
 
     def _symbol_items(self, resource: str) -> Iterator[Item]:
         address = resource.removeprefix(_SYMBOLS)
@@ -213,8 +221,10 @@ class Subscriptions:
 _STATES: Final = (
     ("/rw/panel/ctrlstate", "ctrlstate", "pnl-ctrlstate-ev", panel.state_item),
     ("/rw/panel/ctrl-state", "ctrl-state", "pnl-ctrlstate-ev", panel.state_item),
+    ("/rw/panel/ctrl-state", "ctrlstate", "pnl-ctrlstate-ev", panel.state_item),
     ("/rw/panel/opmode", "opmode", "pnl-opmode-ev", panel.mode_item),
     ("/rw/panel/speedratio", "speedratio", "pnl-speedratio-ev", panel.speed_item),
+    ("/rw/panel/coldetstate", "coldetstate", "pnl-coldetstate-ev", panel.collision_item),
     ("/rw/rapid/execution", "ctrlexecstate", "rap-ctrlexecstate-ev", programs.execution_item),
     ("/rw/rapid/execution", "rapidexeccycle", "rap-execcycle-ev", programs.execution_item),
 )

@@ -64,11 +64,14 @@ def gc_for_server() -> Iterator[None]:
     """Collect garbage frequently in a permanent process, but not among the existing objects.
 
     Each connection leaves some garbage with reference cycles. Python scans all old objects only
-    after their number has grown by a quarter, and so much garbage would accumulate.
+    after their number has grown by a quarter since the last time, and so much garbage would
+    accumulate.
     """
     global _frozen
     gc.collect()
     gc.freeze()
+    # Frozen objects count as old ones until the next collection.
+    gc.collect()
     try:
         with _collected_every(_OFTEN):
             yield

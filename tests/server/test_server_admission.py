@@ -1,6 +1,8 @@
 """Who comes in, and what nobody may do."""
 
 import asyncio
+import tempfile
+from collections.abc import AsyncIterator
 from pathlib import Path
 
 import aiohttp
@@ -62,6 +64,43 @@ def test_there_are_only_so_many_sessions(tmp_path: Path) -> None:
     serve(tmp_path, IDLE, use, most_sessions=2)
 
 
+def test_clients_with_a_session_are_listed_with_their_rights(tmp_path: Path) -> None:
+    async def use(served: Served) -> None:
+        async def titles(query: str = "") -> list[str]:
+            return [one["_title"] for one in await served.get(f"users{query}")]
+
+        assert await titles() == ["Default User"]
+        async with (
+            aiohttp.ClientSession(
+                middlewares=(aiohttp.DigestAuthMiddleware("Default User", "robotics"),),
+                cookie_jar=aiohttp.CookieJar(unsafe=True),
+            ) as other,
+            other.post(f"{served.base}/users", data={"username": "ada"}) as response,
+        ):
+            assert response.status == 201
+            assert (await titles(), await titles("?user-type=self")) == (
+                ["Default User", "ada"],
+                ["Default User"],
+            )
+            (poll,) = await served.get("users/rmmp/poll")
+            assert poll["status"] == "NO SUCH REQUEST"
+            async with other.post(f"{served.base}/users/rmmp", data={"privilege": "modify"}):
+                (state,) = await served.get("users/rmmp")
+            assert (state["_type"], state["alias"]) == ("user-rmmp", "ada")
+            assert (state["privilege"], state["rmmpheldbyme"]) == ("modify", "false")
+            async with other.get(f"{served.base}/logout"):
+                assert await titles() == ["Default User"]
+        (state,) = await served.get("users/rmmp")
+        assert state["privilege"] == "none"
+        assert await served.post("users/rmmp", privilege="modify") == (202, 0)
+        ((state,), (poll,)) = [await served.get(f"users/rmmp{one}") for one in ("", "/poll")]
+        assert (state["privilege"], state["rmmpheldbyme"]) == ("modify", "true")
+        assert poll["status"] == "GRANTED"
+        assert await served.post("users/rmmp?action=cancel") == (204, 0)
+
+    serve(tmp_path, IDLE, use)
+
+
 def test_nothing_is_kept_of_clients_that_have_gone(tmp_path: Path) -> None:
     # With a subscription each, which one lets go, one forgets and one loses.
     listed = {"resources": "1", "1": "/rw/rapid/execution;ctrlexecstate", "1-p": "1"}
@@ -102,6 +141,13 @@ def test_an_idle_session_ends() -> None:
     assert sessions.find(second.cookies, "http") is None
     assert ended == [second.number]
     assert sessions.find(first.cookies, "http") is first
+    with sessions.listening(first):
+        now[0] = 800.0
+        assert sessions.begin("d", "http") is not None
+    now[0] = 1100.0
+    assert sessions.find(first.cookies, "http") is first
+    now[0] = 1401.0
+    assert sessions.find(first.cookies, "http") is None
 
 
 @pytest.mark.parametrize(
@@ -204,6 +250,35 @@ def test_files_come_and_go_and_nobody_leaves_the_home_folder(tmp_path: Path) -> 
         assert (await ask("DELETE", "$HOME/logs/a.txt"))[0] == 204
         assert (await ask("DELETE", "$HOME/logs/a.txt"))[0] == 404
         assert (tmp_path / "secret.txt").read_text() == "secret"
+
+    serve(tmp_path, IDLE, use)
+
+
+def test_a_file_is_on_the_disk_while_it_arrives(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    arriving = tmp_path / "arriving"
+    arriving.mkdir()
+    monkeypatch.setattr(tempfile, "tempdir", str(arriving))
+
+    async def use(served: Served) -> None:
+        address, whole = f"{served.base}/fileservice/$HOME/a.bin", b"x" * 1_000_000
+
+        async def parts() -> AsyncIterator[bytes]:
+            yield whole
+            while not any(one.stat().st_size for one in arriving.iterdir()):
+                await asyncio.sleep(0.01)
+            assert not (tmp_path / "home" / "a.bin").exists()
+            yield b"end"
+
+        await served.get("rw/system")
+        async with served.client.put(address, data=parts()) as response:
+            assert response.status == 201
+        assert (tmp_path / "home" / "a.bin").read_bytes() == whole + b"end"
+        async with served.client.put(address, data=b"") as response:
+            assert response.status == 200
+        assert (tmp_path / "home" / "a.bin").read_bytes() == b""
+        assert list(arriving.iterdir()) == []
 
     serve(tmp_path, IDLE, use)
 

@@ -214,9 +214,9 @@ def test_what_lies_below_an_address_is_told_as_far_as_it_can_be_read(tmp_path: P
             f"{served.second}/rw", headers={**headers, "Authorization": f"Basic {login}"}
         ) as response:
             below = set(re.findall(r'href="([^"]+)"', await response.text()))
-        assert {"panel", "rapid", "iosystem"} <= below
+        assert {"rw/panel", "rw/rapid", "rw/iosystem"} <= below
         # Where streams are ended, nothing can be read.
-        assert not {"infostream", "_istream"} & below
+        assert not {"rw/infostream", "rw/_istream"} & below
 
     serve(tmp_path, COUNTING, use)
 

@@ -42,7 +42,7 @@ def test_a_client_answers_and_wrong_answers_are_refused(tmp_path: Path) -> None:
         assert (await served.value("count"), await asked()) == ("7", ("TPReadFK", "Which?"))
         assert await answer("2") == (400, -1073445879)
         assert await answer("right") == (204, 0)
-        assert (await served.value("key"), (await asked())[0]) == ("3", "UIAlphaEntry")
+        assert (await served.value("key"), (await asked())[0]) == ("3", "IAlphaEntry")
         assert await answer('"Ada"') == (204, 0)
         assert (await served.value("name"), await asked()) == ('"Ada"', ("TPReadNum", "More?"))
         # A second later nobody has answered, and the question is gone.
@@ -57,7 +57,17 @@ def test_a_client_answers_and_wrong_answers_are_refused(tmp_path: Path) -> None:
 
 def test_a_question_goes_with_its_program(tmp_path: Path) -> None:
     async def use(served: Served) -> None:
+        resource = "/rw/rapid/uiinstr;uievent"
+        form = {"resources": "1", "1": resource, "1-p": "1"}
+        async with served.client.post(f"{served.base}/subscription", data=form) as response:
+            link = response.headers["Location"]
+        socket = await served.client.ws_connect(link, protocols=("robapi2_subscription",))
+        # Subscribers first get an empty event.
+        assert "<ul></ul>" in await socket.receive_str(timeout=20)
         await served.post("rw/rapid/execution?action=start")
+        event = await socket.receive_str(timeout=20)
+        assert '<li class="rap-ui-ev" title="uiinstruction">' in event
+        assert '<span class="instr">TPReadNum</span><span class="event">SEND</span>' in event
         assert await served.get(ACTIVE)
         await served.post("rw/rapid/execution?action=stop")
         await served.post("rw/rapid/execution?action=resetpp")

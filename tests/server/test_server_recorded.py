@@ -232,6 +232,9 @@ BODIES: dict[str, dict[str, Any]] = {
 }
 """Bodies of RobotWare 7."""
 PAGES = {
+    # Addresses in the list of services are relative to the root.
+    "rw": ("", "rw/panel"),
+    "rw/devices": ("rw/devices/", "HW_DEVICES"),
     "rw/iosystem/signals": ("rw/iosystem/", "signals/Net/Dev/doGripper"),
     "rw/iosystem/networks": ("rw/iosystem/", "networks/Net"),
     "rw/iosystem/devices": ("rw/iosystem/", "devices/Net/Dev"),
@@ -365,6 +368,15 @@ async def _pages(served: Served) -> None:
         (item,) = await served.get(path)
         assert item["_type"] == kind
         assert item.keys() >= names
+    names = {one["name"] for one in await served.get("rw/retcode")}
+    assert {"SYS_CTRL_E_EXEC_STATE", "SYS_CTRL_E_INVALIDARG", "SYS_CTRL_E_RESOURCE_HELD"} <= names
+    for path, kind in (("", "srvlst-service-li"), ("rw", "rwservice-li")):
+        services = {one["_title"]: one for one in await served.get(path)}
+        assert {one["_type"] for one in services.values()} == {kind}
+        assert services.keys() > ({"rapid", "retcode"} if path else {"rw", "ctrl"})
+    assert {one["_type"] for one in await served.get("rw/panel")} == {
+        f"pnl-{one}-li" for one in ("ctrlstate", "opmode", "speedratio", "coldetstate")
+    }
     (groups,) = await served.get("rw/devices")
     assert [one["_title"] for one in groups["devices"]] == ["HW_DEVICES", "SW_RESOURCES"]
     (units,) = await served.get("rw/devices/HW_DEVICES")

@@ -35,8 +35,8 @@ def test_write_access_is_requested_written_with_and_outlives_its_session(tmp_pat
             assert isinstance(reply, Answer)
             return dict(reply.items[0].fields)
 
-        def register(identity: str, session: int) -> tuple[int, int]:
-            form = {**STATION, "control-station-id": identity}
+        def register(identity: str, session: int, **more: str) -> tuple[int, int]:
+            form = {**STATION, "control-station-id": identity, **more}
             return post("/rw/controlstation/register/remote", session, **form)
 
         for path in ("", "/edit"):
@@ -70,6 +70,11 @@ def test_write_access_is_requested_written_with_and_outlives_its_session(tmp_pat
         assert post(f"{ACCESS}/release", 3) == (204, 0)
         assert post(f"{ACCESS}/request", 2) == (204, 0)
         assert shown("id", 2) == {"control-station-Id": OTHER}
+        # A station may register so that the access goes with its session.
+        assert register(OTHER, 2, **{"release-write-access-when-lost": "true"}) == (204, 0)
+        assert post(f"{ACCESS}/request", 2) == (204, 0)
+        engine.reply(SessionEnded(2))
+        assert post(f"{ACCESS}/request", 3) == (204, 0)
         assert shown("type", 4) == {"control-station-type": "none"}
         reply = ask("GET", "/rw/system", 1)
         assert isinstance(reply, Answer)

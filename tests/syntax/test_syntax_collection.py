@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import gc
 import weakref
+from collections import deque
 from unittest.mock import patch
 
 from rapidsim.syntax import garbage_collection
@@ -29,6 +30,17 @@ def test_what_connections_leave_behind_does_not_pile_up_in_a_process_that_stays_
         with gc_for_server():
             assert _left_of(20_000) < 2_000
         assert _left_of(20_000) == 20_000
+
+
+def test_what_ends_after_a_while_does_not_pile_up_either() -> None:
+    thresholds, before = gc.get_threshold(), [list[int]() for _ in range(200_000)]
+    recent = deque[_Connection](maxlen=5_000)
+    gc.set_threshold(700, 2, 2)
+    with gc_for_server():
+        recent.extend(_Connection() for _ in range(40_000))
+        kept = sum(type(one) is _Connection for one in gc.get_objects())
+    gc.set_threshold(*thresholds)
+    assert kept < len(before) / 10
 
 
 def test_what_was_there_is_looked_through_again_when_the_process_goes_on_otherwise() -> None:

@@ -205,7 +205,8 @@ class HttpFrontend:
             return objection
         match first, request.method:
             case "poll", _:
-                return await self.groups.poll(request, dialect, rest, session.number)
+                with self.sessions.listening(session):
+                    return await self.groups.poll(request, dialect, rest, session.number)
             case "subscription", "POST" if not rest:
                 form = await read_form(request)
                 return await self.groups.subscribe(request, dialect, form, session.number)
@@ -228,13 +229,14 @@ class HttpFrontend:
     ) -> web.StreamResponse:
         dialect = request.app[_DIALECT]
         has_content = is_file and request.method == "PUT"
-        message = await read_request(
+        reading = read_request(
             request, path, request[_SESSION].number, dialect.generation, is_file=has_content
         )
-        reply = await self.link.request(message)
-        if request[_IS_REPEATED]:
+        async with reading as message:
             reply = await self.link.request(message)
-        operation = message.action or path.rpartition("/")[2]
+            if request[_IS_REPEATED]:
+                reply = await self.link.request(message)
+        operation = request.query.get("action") or path.rpartition("/")[2]
         if request.method == "POST" and operation in self.latencies_s:
             await asyncio.sleep(self.latencies_s[operation])
         if is_file and isinstance(reply, ErrorAnswer):

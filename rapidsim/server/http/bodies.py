@@ -106,7 +106,7 @@ def xhtml_body(answer: Answer, location: RequestLocation) -> str:
     if answer.following:
         links += f'<a href="{_quoted(_relative(answer.following, base))}" rel="next"/>'
     shown = (*answer.items, *(answer.resources or ()))
-    items = "".join(_xhtml_item(one, _relative(one.href, base)) for one in shown)
+    items = "".join(_xhtml_item(one, base) for one in shown)
     itself = _quoted(location.itself(answer))
     content = f'<div class="state"><a href="{itself}" rel="self"/>{links}<ul>{items}</ul></div>'
     return _page(location.base(answer), content)
@@ -137,7 +137,7 @@ def subscribed(group: int, link: str, base: str) -> str:
 
 def event_text(group: int, items: Iterable[Item]) -> str:
     """Return a change as one frame of a websocket: a page in one line, which clients need."""
-    shown = "".join(_xhtml_item(one, one.href) for one in items)
+    shown = "".join(_xhtml_item(one, base="") for one in items)
     return (
         f'{_HEAD}</head><body><div class="state"><a href="subscription/{group}" rel="group"></a>'
         f"<ul>{shown}</ul></div></body></html>"
@@ -186,7 +186,7 @@ def _json_item(item: Item, base: str) -> dict[str, object]:
     return shown
 
 
-def _xhtml_item(item: Item, href: str) -> str:
+def _xhtml_item(item: Item, base: str) -> str:
     spans = [
         f'<span class="{_quoted(name)}">{escape(_plain(text), quote=False)}</span>'
         for name, text in item.fields.items()
@@ -195,8 +195,9 @@ def _xhtml_item(item: Item, href: str) -> str:
         f'<span class="arg{number}" type="string">{escape(_plain(text), quote=False)}</span>'
         for number, text in enumerate(item.arguments, start=1)
     ]
-    parts = "".join(_xhtml_item(one, one.href) for one in item.parts)
+    parts = "".join(_xhtml_item(one, base) for one in item.parts)
     inside = f"<ul>{parts}</ul>" if parts else ""
+    href = _relative(item.href, base)
     itself = f'<a href="{_quoted(href)}" rel="self"/>' if href else ""
     kind = _XHTML_KINDS.get(item.kind, item.kind)
     return (

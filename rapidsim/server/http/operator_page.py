@@ -15,8 +15,8 @@ from typing import Final, TypeAlias
 from aiohttp import web
 
 from rapidsim.report import html
-from rapidsim.server.http.request_reading import MOST_BYTES, read_body, read_form
-from rapidsim.server.messages import ErrorAnswer, Inquiry, ReadState, Reply, Request
+from rapidsim.server.http.request_reading import read_file, read_form
+from rapidsim.server.messages import ErrorAnswer, Inquiry, ReadState, Reply, Request, Upload
 
 _FOLDER: Final = Path(__file__).with_name("shipped")
 _FILES: Final = MappingProxyType(
@@ -79,11 +79,9 @@ async def serve_operator_page(
         case "POST", "upload":
             # The address of the file is that of HOME, whatever folders its name claims.
             name = request.query.get("name", "").replace("\\", "/").rpartition("/")[2]
-            content = await read_body(request, MOST_BYTES)
-            path = f"/fileservice/$HOME/{name}"
-            return _replied(
-                await move_request(Request("PUT", path, session=session, content=content))
-            )
+            upload = Request("PUT", f"/fileservice/$HOME/{name}", session=session)
+            async with read_file(request) as received:
+                return _replied(await move_request(Upload(upload, received)))
         case _:
             return web.Response(status=404, text="there is no such page\n")
 

@@ -7,14 +7,17 @@ a request, an answer of 4xx, from what is wrong with rapidsim.
 from __future__ import annotations
 
 import asyncio
-from collections.abc import Iterator
-from contextlib import contextmanager
+import os
+import tempfile
+from collections.abc import AsyncIterator, Iterator
+from contextlib import asynccontextmanager, contextmanager
+from pathlib import Path
 from typing import Final
 from urllib.parse import parse_qsl, unquote
 
 from aiohttp import web
 
-from rapidsim.server.messages import Request
+from rapidsim.server.messages import Request, Upload
 
 MOST_BYTES: Final = 64 * 2**20
 """Largest file [bytes] that a client may send."""
@@ -56,7 +59,7 @@ async def read_form(request: web.Request) -> dict[str, str]:
         web.HTTPException: If it cannot be read.
     """
     with decoding():
-        body = await read_body(request, MOST_FORM_BYTES)
+        body = await _read_body(request, MOST_FORM_BYTES)
         if request.content_type not in _FORMS and "Content-Type" in request.headers:
             return {}
         charset = request.charset or "utf-8"
@@ -66,10 +69,11 @@ async def read_form(request: web.Request) -> dict[str, str]:
         )
 
 
+@asynccontextmanager
 async def read_request(
     request: web.Request, path: str, session: int, generation: int, *, is_file: bool
-) -> Request:
-    """Return a request as a message to the engine.
+) -> AsyncIterator[Request | Upload]:
+    """Read a request as a message to the engine; a file is on the disk until the context ends.
 
     Args:
         request: Request of a client.
@@ -81,32 +85,61 @@ async def read_request(
     Raises:
         web.HTTPException: If it cannot be read.
     """
-    content, form = b"", dict[str, str]()
     with decoding():
-        if is_file:
-            content = await read_body(request, MOST_BYTES)
-        else:
-            form = await read_form(request)
+        form = {} if is_file else await read_form(request)
         query = dict(request.query)
-    return Request(request.method, f"/{path}", query, form, session, generation, content)
+    message = Request(request.method, f"/{path}", query, form, session, generation)
+    if not is_file:
+        yield message
+        return
+    async with read_file(request) as file:
+        yield Upload(message, file)
 
 
-async def read_body(request: web.Request, most: int) -> bytes:
+@asynccontextmanager
+async def read_file(request: web.Request) -> AsyncIterator[Path]:
+    """Read the body of a request into a file, which is removed when the context ends.
+
+    Raises:
+        web.HTTPException: If it cannot be read, or is too long.
+    """
+    with decoding():
+        handle, name = tempfile.mkstemp(prefix="rapidsim-upload-")
+    file = Path(name)
+    try:
+        with decoding(), os.fdopen(handle, "wb") as stream:
+            async for part in _parts(request, MOST_BYTES):
+                stream.write(part)
+        yield file
+    finally:
+        file.unlink()
+
+
+async def _read_body(request: web.Request, most: int) -> bytes:
     """Return the body of a request, of so many bytes at most.
 
     Raises:
         HTTPRequestEntityTooLarge: If it is longer, or says so.
     """
-    parts, size = list[bytes](), request.content_length or 0
+    return b"".join([part async for part in _parts(request, most)])
+
+
+async def _parts(request: web.Request, most: int) -> AsyncIterator[bytes]:
+    """Yield the body of a request, of so many bytes at most, as it arrives.
+
+    Raises:
+        HTTPRequestEntityTooLarge: If it is longer, or says so.
+    """
+    size = request.content_length or 0
     if size <= most:
         size = 0
         while True:
             async with asyncio.timeout(_PAUSE_S):
                 part = await request.content.readany()
             if not part:
-                return b"".join(parts)
-            parts.append(part)
+                return
             size += len(part)
             if size > most:
                 break
+            yield part
     raise web.HTTPRequestEntityTooLarge(max_size=most, actual_size=size)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import asyncio
 import secrets
 from collections.abc import Callable, Iterator, Mapping
+from contextlib import contextmanager
 from dataclasses import dataclass, field
 from itertools import count
 from time import monotonic
@@ -24,6 +25,8 @@ class Session:
     """Its cookies count only here: in `http` others may have read them, in `https` not."""
     cookies: Mapping[str, str]
     used_s: float
+    sockets: int = 0
+    """Number of its open websockets, with which it is never idle."""
     transfer: asyncio.Lock = field(default_factory=asyncio.Lock)
     """Held during the transfer of a file: a session has one at a time, and others come between."""
 
@@ -77,6 +80,16 @@ class Sessions:
                 return session
         return None
 
+    @contextmanager
+    def listening(self, session: Session) -> Iterator[None]:
+        """Keep a session while it has a websocket."""
+        session.sockets += 1
+        try:
+            yield
+        finally:
+            session.sockets -= 1
+            session.used_s = self.now_s()
+
     def end(self, session: Session) -> None:
         """End a session."""
         if self._live.pop(session.number, None) is not None:
@@ -91,5 +104,6 @@ class Sessions:
 
     def _drop_idle(self) -> None:
         latest = self.now_s() - self.idle_s
-        for session in [one for one in self._live.values() if one.used_s < latest]:
+        idle = (one for one in self._live.values() if one.used_s < latest and not one.sockets)
+        for session in tuple(idle):
             self.end(session)

@@ -57,7 +57,11 @@ class _Group:
         self.changed.set()
 
     def break_off(self) -> None:
-        """Break the connection of the websocket, if there is one."""
+        """Break the connection of the websocket, if there is one.
+
+        So do controllers when a group ends or they restart: clients that want to go on reconnect
+        after that, but not after a websocket that was closed in order.
+        """
         if isinstance(self.transport, asyncio.WriteTransport):
             self.transport.abort()
 
@@ -129,6 +133,7 @@ class SubscriptionGroups:
         group = self._group(number, session)
         if group is None:
             return dialect.represent(request, _no_group(number))
+        group.break_off()
         await self._end(group)
         return dialect.represent(request, Answer())
 
@@ -168,6 +173,7 @@ class SubscriptionGroups:
     async def end_session(self, session: int) -> None:
         """End the groups of a session."""
         for group in [one for one in self._groups.values() if one.session == session]:
+            group.break_off()
             await self._end(group)
 
     def close(self) -> None:

@@ -34,6 +34,8 @@ class ControlStation:
     identity: str
     """GUID in braces."""
     name: str
+    releases_when_lost: bool = field(default=False, compare=False)
+    """Whether the end of its session releases the write access."""
 
 
 @dataclass(slots=True)
@@ -47,6 +49,10 @@ class RequestContext:
     """Session that holds each domain."""
     operations: list[str] = field(default_factory=list)
     """Titles of the operations that were answered before they had ended, as on a controller."""
+    sessions: dict[int, str] = field(default_factory=dict)
+    """Sessions that have requested something, with the names that they have registered."""
+    rights: dict[int, str] = field(default_factory=dict)
+    """Rights in manual mode, by session."""
     stations: dict[int, ControlStation] = field(default_factory=dict)
     """Control station of each session that has registered."""
     writer: ControlStation | None = None
@@ -130,7 +136,11 @@ class RequestContext:
 
     def release_all(self, session: int) -> None:
         """Release all resources held by a session."""
-        self.stations.pop(session, None)
+        self.sessions.pop(session, None)
+        self.rights.pop(session, None)
+        station = self.stations.pop(session, None)
+        if station is not None and station.releases_when_lost and station == self.writer:
+            self.writer, self.is_access_exclusive = None, False
         self.masters = {key: one for key, one in self.masters.items() if one != session}
         for name in [name for name, owner in self.owners.items() if owner == session]:
             self.live.cell.messages.disconnect(name)

@@ -2,7 +2,8 @@
 
 A session registers as a control station, and requests write access for it. As recorded on RobotWare
 8.1.1: a write that succeeds clears the mark that the access is held, but not the right to write,
-and the end of a session neither: a client that forgets to release keeps others out.
+and the end of a session neither: a client that forgets to release keeps others out, unless it has
+registered with `release-write-access-when-lost`.
 """
 
 from __future__ import annotations
@@ -41,7 +42,8 @@ def register(context: RequestContext, request: Request) -> Answer:
     required_value(form, "pincode")
     if _ID.fullmatch(identity) is None:
         raise refused(BAD_PARAMETER, "Control station id not allowed")
-    context.stations[request.session] = ControlStation(identity, name)
+    releases = form.get("release-write-access-when-lost") == "true"
+    context.stations[request.session] = ControlStation(identity, name, releases)
     return DONE
 
 

@@ -64,7 +64,7 @@ class FileService:
             with os.fdopen(os.open(place, os.O_RDONLY | CAUTION), "rb") as stream:
                 return stream.read()
 
-    def write(self, address: str, content: bytes) -> bool:
+    def write(self, address: str, content: bytes | memoryview) -> bool:
         """Write a file completely or not at all; return whether it is new.
 
         Raises:

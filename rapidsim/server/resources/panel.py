@@ -62,6 +62,8 @@ def set_emergency_stop(context: RequestContext, request: Request) -> Answer:
 
 def restart(context: RequestContext, request: Request) -> Answer:
     """Restart the controller: warm, or cold with programs and data as at the start."""
+    if request.generation == 2:
+        context.require_mastership("rapid", request)
     is_warm = chosen(request.form, "restart-mode", _RestartMode) is _RestartMode.WARM
     context.live.faults.add(Fault(kind=FailureKind.RESTART, mode="warm" if is_warm else "cold"))
     context.live.settle()
@@ -108,6 +110,12 @@ def set_speed_ratio(context: RequestContext, request: Request) -> Answer:
 
 
 def collision_detection(context: RequestContext, request: Request) -> Answer:
-    """The state of collision detection, which never triggers here."""
-    del context, request
-    return Answer((Item("pnl-coldetstate", "collisiondetectstate", {"coldetstate": "INIT"}),))
+    """The state of collision detection."""
+    del request
+    return Answer((collision_item(context),))
+
+
+def collision_item(context: RequestContext) -> Item:
+    """Return the state of collision detection, which never triggers here, as an item."""
+    del context
+    return Item("pnl-coldetstate", "collisiondetectstate", {"coldetstate": "INIT"})

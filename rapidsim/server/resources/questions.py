@@ -41,12 +41,13 @@ def answer(context: RequestContext, request: Request, parameter: str) -> Answer:
 
 def question_item(question: Question) -> Item:
     """Return a question as clients see it; its keys are answered by text or by number, from 1."""
-    stack = f"RAPID/{question.task}"
+    name = question.instruction
     fields = {
-        "instr": question.instruction,
-        "event": "POST",
-        "stack": stack,
-        "execlv": "Normal",
+        # Controllers name UIMsgBox IMsgBox.
+        "instr": name.removeprefix("U") if name.startswith("UI") else name,
+        "event": "SEND",
+        "stack": f"RAPID/{question.task}",
+        "execlv": "NORMAL",
         "msg": question.prompt,
         "keys": " / ".join(filter(None, question.choices)),
     }

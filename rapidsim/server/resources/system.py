@@ -20,9 +20,16 @@ from rapidsim.server.resources.context import MASTERSHIPS, RequestContext, count
 from rapidsim.server.resources.disks import DISKS
 
 _OPTIONS: Final = "rw/system/options"
+_USER: Final = "Default User"
+"""Name of a client that has not registered."""
 
 
 def controller(context: RequestContext, request: Request) -> Answer:
+    """The identity of the controller, and what else it has."""
+    return replace(identity(context, request), links=("identity", "clock", "backup"))
+
+
+def identity(context: RequestContext, request: Request) -> Answer:
     """The identity of the controller; a virtual one has neither number nor address."""
     del context, request
     fields = {
@@ -30,7 +37,7 @@ def controller(context: RequestContext, request: Request) -> Answer:
         "ctrl-name": "rapidsim",
         "ctrl-level": "System Level",
     }
-    return Answer((Item("ctrl-identity-info", "identity", fields),), links=("identity", "clock"))
+    return Answer((Item("ctrl-identity-info", "identity", fields),))
 
 
 def clock(context: RequestContext, request: Request) -> Answer:
@@ -150,35 +157,51 @@ def nothing_to_end(context: RequestContext, request: Request) -> Answer:
     return DONE
 
 
-def user(context: RequestContext, request: Request) -> Answer:
-    """The identity of a client."""
-    del context
-    return Answer(
-        (Item("user-info", "users", {"user-session": str(request.session)}),), links=("rmmp",)
-    )
+def users(context: RequestContext, request: Request) -> Answer:
+    """The clients that have a session; with `user-type=self`, the one that asks."""
+    sessions = context.sessions
+    if request.query.get("user-type") == "self":
+        sessions = {request.session: sessions[request.session]}
+    items = (Item("user", name or _USER) for name in sessions.values())
+    return Answer(tuple(items), links=("rmmp",))
 
 
 def register(context: RequestContext, request: Request) -> Answer:
-    """Register a client as a user."""
-    del context, request
+    """Register a client under a name."""
+    context.sessions[request.session] = request.form.get("username", "")
     return Answer(status=201)
 
 
 def remote_rights(context: RequestContext, request: Request) -> Answer:
-    """Request the right to modify in manual mode, which rapidsim always grants."""
-    del context, request
+    """Request a right in manual mode, which rapidsim always grants."""
+    context.rights[request.session] = request.form.get("privilege", "modify")
     return Answer(status=202)
 
 
+def rights(context: RequestContext, request: Request) -> Answer:
+    """The session that has a right in manual mode: the one that asks, or else the first."""
+    holders = tuple(context.rights)
+    session = request.session if request.session in holders or not holders else holders[0]
+    fields = {
+        "userid": str(session),
+        "alias": context.sessions.get(session, ""),
+        "location": "",
+        "application": "",
+        "privilege": context.rights.get(session, "none"),
+        "rmmpheldbyme": str(session == request.session).lower(),
+    }
+    return Answer((Item("user-rmmp", "state", fields),), links=("poll",))
+
+
 def rights_granted(context: RequestContext, request: Request) -> Answer:
-    """Whether the right to modify in manual mode was granted."""
-    del context, request
-    return Answer((Item("user-rmmp-poll", "poll", {"status": "GRANTED"}),))
+    """Whether the requested right in manual mode was granted."""
+    status = "GRANTED" if request.session in context.rights else "NO SUCH REQUEST"
+    return Answer((Item("user-rmmp-poll", "poll", {"status": status}),))
 
 
 def release_rights(context: RequestContext, request: Request) -> Answer:
-    """Release the right to modify in manual mode."""
-    del context, request
+    """Release the right in manual mode."""
+    context.rights.pop(request.session, None)
     return DONE
 
 

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from typing import Final
 
-from rapidsim.server.messages import Answer, Request
+from rapidsim.server.messages import Answer, Item, Request
 from rapidsim.server.resources import (
     backups,
     configuration,
@@ -45,7 +45,7 @@ _ACTIVE: Final = "rw/rapid/uiinstr/active"
 
 _BOTH: Final = (
     Route("GET", "ctrl", system.controller),
-    Route("GET", "ctrl/identity", system.controller),
+    Route("GET", "ctrl/identity", system.identity),
     Route("GET", "ctrl/clock", system.clock),
     Route("PUT", "ctrl/clock", system.set_clock),
     Route("GET", "ctrl/${name}", system.disk),
@@ -100,10 +100,10 @@ _BOTH: Final = (
     Route("POST", _FILE, files.change),
     Route("GET", "rw/mastership", system.mastership),
     Route("GET", "rw/mastership/{domain}", system.mastership_of),
-    Route("GET", "users", system.user),
+    Route("GET", "users", system.users),
     Route("POST", "users", system.register),
     Route("POST", "users/rmmp", system.remote_rights),
-    Route("GET", "users/rmmp", system.rights_granted),
+    Route("GET", "users/rmmp", system.rights),
     Route("GET", "users/rmmp/poll", system.rights_granted),
 )
 
@@ -167,7 +167,7 @@ _SECOND: Final = (
     Route("GET", "rw/panel/ctrl-state", panel.state),
     Route("POST", "rw/panel/ctrl-state", panel.set_state),
     Route("POST", "rw/panel/opmode", panel.set_mode),
-    Route("POST", "rw/panel/restart", panel.restart),
+    Route("POST", "ctrl/restart", panel.restart),
     Route("POST", "rw/panel/emergency-stop", panel.set_emergency_stop),
     Route("POST", f"{_EXECUTION}/start", programs.start),
     Route("POST", f"{_EXECUTION}/startprodentry", programs.start_production),
@@ -267,6 +267,16 @@ ROUTES: Final[Mapping[int, tuple[Route, ...]]] = {
 }
 """Routes by version of RobotWare; if several match an address, the first counts."""
 
+_INDEX_KINDS: Final = {
+    "": "srvlst-service-li",
+    "rw": "rwservice-li",
+    "rw/panel": "pnl-{}-li",
+    "rw/iosystem": "ios-{}-li",
+    "rw/rapid": "rap-{}-li",
+    "rw/rapid/uiinstr": "rap-{}-li",
+}
+"""Classes of the resources below an address that is no resource itself, with their names."""
+
 
 def answered(context: RequestContext, request: Request) -> Answer:
     """Answer a request.
@@ -274,6 +284,7 @@ def answered(context: RequestContext, request: Request) -> Answer:
     Raises:
         RefusedRequest: If there is no such resource or action, or it is refused.
     """
+    context.sessions.setdefault(request.session, "")
     parts = [part for part in request.path.split("/") if part]
     version = 6 if request.generation == 1 else 7
     routes = ROUTES[8 if version == 7 and context.has_control_stations else version]
@@ -290,10 +301,21 @@ def answered(context: RequestContext, request: Request) -> Answer:
                 raise as_answered(refusal, request.generation) from None
     below = tuple(dict.fromkeys(_below(routes, parts)))
     if below and request.method == "GET" and not is_readable:
-        return Answer(links=below)
+        return _index("/".join(parts), below)
     if there:
         raise refused(BAD_PARAMETER, f"{request.method} {request.path}: no such action here")
     raise refused(NOT_FOUND, f"there is no resource {request.path}")
+
+
+def _index(address: str, names: tuple[str, ...]) -> Answer:
+    """Return the resources below an address that is no resource itself."""
+    kind = _INDEX_KINDS.get(address)
+    if kind is None:
+        return Answer(links=names)
+    prefix = f"{address}/" if address else ""
+    listed = tuple(Item(kind.format(one), one, href=f"{prefix}{one}") for one in names)
+    # The addresses in the list of services are relative to the root.
+    return Answer(resources=listed, base="" if address == "rw" else address)
 
 
 def _below(routes: tuple[Route, ...], parts: list[str]) -> Iterator[str]:
