@@ -62,19 +62,31 @@ def held_speeds(places: Array, speeds: Array, needed: Mask, window: float) -> Ar
 
 
 def deciding_points(places: Array, speeds: Array, window: float) -> Index:
-    """Return the point (k,) whose line bounds the command most at each point (k,)."""
+    """Return the point (k,) whose line bounds the command most at each point (k,).
+
+    Of equal bounds, that of the point itself decides, then that of the first.
+    """
     every = np.arange(len(places))
     slopes, first, after = _lines(places, speeds, every, window)
-    lowest, deciding = speeds.copy(), every.copy()
-    for line, other in _pairs(first, after):
+    level, sloped = np.flatnonzero(slopes == 0.0), np.flatnonzero(slopes)
+    # A level line has one value, so that its number in order of these decides everywhere.
+    level = level[np.argsort(speeds[level], kind="stable")]
+    order = lowest_over(first[level], after[level], np.arange(float(len(level))), len(places))
+    covered = np.flatnonzero(np.isfinite(order))
+    deciding, lowest = every.copy(), np.full(len(places), np.inf)
+    deciding[covered] = level[order[covered].astype(np.int64)]
+    lowest[covered] = speeds[deciding[covered]]
+    for number, other in _pairs(first[sloped], after[sloped]):
+        line = sloped[number]
         values = speeds[line] + slopes[line] * (places[other] - places[line])
-        order = np.lexsort((values, other))
-        other, values, line = other[order], values[order], line[order]
+        by_value = np.lexsort((values, other))
+        other, values, line = other[by_value], values[by_value], line[by_value]
         least = np.diff(other, prepend=-1) > 0
         other, values, line = other[least], values[least], line[least]
         lower = values < lowest[other]
+        lower |= (values == lowest[other]) & (line < deciding[other])
         lowest[other[lower]], deciding[other[lower]] = values[lower], line[lower]
-    return deciding
+    return np.where(lowest < speeds, deciding, every)
 
 
 def _lines(places: Array, speeds: Array, at: Index, window: float) -> tuple[Array, Index, Index]:
@@ -139,7 +151,7 @@ def _pairs(first: Index, after: Index) -> Iterator[tuple[Index, Index]]:
     """Yield, in batches, pairs of the number of a span and a point in it, for spans (j,)."""
     size = after - first
     ends = np.cumsum(size)
-    cuts = np.searchsorted(ends, np.arange(_PAIRS, ends[-1], _PAIRS))
+    cuts = np.searchsorted(ends, np.arange(_PAIRS, size.sum(), _PAIRS))
     for part in np.split(np.arange(len(first)), cuts):
         count = size[part]
         line = np.repeat(part, count)
