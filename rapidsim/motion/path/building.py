@@ -117,7 +117,7 @@ def path_along(
     nodes = follow(layout, arms, lines, moving, axes, check_deadline)
     if isinstance(nodes, PathFault):
         return dataclasses.replace(nodes, segment=int(active[nodes.segment]))
-    path = Path(segments, kinematics, layout, arms, active, nodes, model, lines)
+    path = Path(segments, kinematics, layout, arms, active, nodes.course, model, lines)
     check_deadline()
     fault = _joint_space_fault(path, axes)
     if fault is not None:

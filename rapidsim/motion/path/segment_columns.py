@@ -33,6 +33,10 @@ class SegmentLimits:
     load: Array
     """Shape (m,): load at the wrist, as a share of the rated payload."""
 
+    def __len__(self) -> int:
+        """Return the number of segments."""
+        return len(self.tcp)
+
 
 def programmed_of(segments: Sequence[Segment]) -> SegmentLimits:
     """Return the limits of one or more segments."""
