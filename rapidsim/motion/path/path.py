@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import dataclasses
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -53,7 +54,7 @@ _GAUSS_PLACES, _GAUSS_WEIGHTS = np.polynomial.legendre.leggauss(8)
 class Path:
     """A sequence of segments with their corners, ready to be timed and evaluated."""
 
-    segments: tuple[Segment, ...]
+    segments: Sequence[Segment]
     kinematics: Kinematics
     layout: PathParameterisation
     arms: JointMapper
@@ -86,7 +87,7 @@ class Path:
         """Range of s [m]."""
         return float(self.layout.places[-1])
 
-    @derived_value
+    @cached_property
     def programmed(self) -> SegmentLimits:
         """Limits requested by each segment."""
         return programmed_of(self.segments)

@@ -8,6 +8,7 @@ import numpy as np
 
 from rapidsim.frames.transform import Array
 from rapidsim.motion.geometry.segments import Segment
+from rapidsim.repeated_rows import shared_row
 from rapidsim.values import value_class
 
 _WIDTHS = 4
@@ -53,7 +54,7 @@ def programmed_of(segments: Sequence[Segment]) -> SegmentLimits:
             for segment in segments
         ]
     )
-    tcp, reorientation, share, along, world, load = np.ascontiguousarray(columns.T)
+    tcp, reorientation, share, along, world, load = map(shared_row, np.ascontiguousarray(columns.T))
     external = np.array([segment.external_speeds for segment in segments], dtype=np.float64)
     return SegmentLimits(tcp, reorientation, external, share, along, world, load)
 
