@@ -2,12 +2,18 @@
 
 from __future__ import annotations
 
+from typing import TypeVar
+
 import numpy as np
 import numpy.typing as npt
 
 from rapidsim.frames.transform import Array
 
 Index = npt.NDArray[np.int64]
+Values = TypeVar("Values", bound=np.generic)
+
+_MANY = 1024
+"""Number of rows from which on it pays to look whether they are equal."""
 
 
 def repeated(counts: Index) -> tuple[Index, Index]:
@@ -18,6 +24,17 @@ def repeated(counts: Index) -> tuple[Index, Index]:
     """
     row = np.repeat(np.arange(len(counts)), counts)
     return row, np.arange(len(row)) - np.repeat(np.cumsum(counts) - counts, counts)
+
+
+def shared_row(rows: npt.NDArray[Values]) -> npt.NDArray[Values]:
+    """Return many equal rows (k, ...) as views of the first, read-only; else the rows themselves.
+
+    They are compared by their bits, because 0 and -0 are equal but not identical.
+    """
+    if len(rows) < _MANY or not rows.flags.c_contiguous:
+        return rows
+    bits = rows.view(np.uint8).reshape(len(rows), -1)
+    return np.broadcast_to(rows[:1].copy(), rows.shape) if (bits == bits[0]).all() else rows
 
 
 def divided(edges: Array, counts: Index) -> Array:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -18,7 +17,7 @@ from rapidsim.controller.task_moves import EnqueueMove
 from rapidsim.controller.triggers import Triggers
 from rapidsim.frames.vectors import length, minus
 from rapidsim.language.data import JointTarget, Pos, RobTarget, ToolData, WobjData
-from rapidsim.language.moves import MotionSettings, Move
+from rapidsim.language.moves import AnnouncedTargets, MotionSettings, Move
 from rapidsim.language.path_events import Trigger
 
 _LOOKS_BACK_S = 1e-3
@@ -58,7 +57,7 @@ class TaskMotion:
         """Append a move to the path, with the triggers along it."""
         self.put(move, lambda queued: self.triggers.mark(queued, triggers))
 
-    def expect(self, targets: Sequence[RobTarget]) -> None:
+    def expect(self, targets: AnnouncedTargets) -> None:
         """Announce the targets of the next moves."""
         self.resolver.expected.expect(targets)
 

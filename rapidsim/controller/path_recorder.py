@@ -158,28 +158,23 @@ class TaskPathRecorder:
 
     def _started_moves(self) -> list[QueuedMove]:
         """The recorded moves that the robot has started."""
-        first = min(self._ids.values())
-        last = self._last
+        first, executed = min(self._ids.values()), {one.number for one in self._executed}
         return [
             one
-            for _, one in self.unit.moves.numbered(first, last)
-            if one.level == self._level
-            and one.started.time is not None
-            and one not in self._executed
+            for number, one in self.unit.moves.numbered(first, self._last)
+            if one.level == self._level and one.started.time is not None and number not in executed
         ]
 
     def _moves_back_to(self, identifier: int | None) -> Sequence[QueuedMove]:
         """The moves from a place to the position of the robot, in recorded order."""
         given = self._started_moves() if self._origin is None else self._queued[: self._departures]
         first = min(self._ids.values()) if identifier is None else self._ids.get(identifier, 0)
-        index = {id(one): number for number, one in self.unit.moves.numbered()}
-        return [one for one in given if index[id(one)] >= first]
+        return [one for one in given if one.number >= first]
 
     def _place_of(self, identifier: int) -> int:
         """Number of moves of the backward motion that lie before a place."""
-        index = {id(one): number for number, one in self.unit.moves.numbered()}
         first = self._ids.get(identifier, 0)
-        return sum(index[id(one)] < first for one in self._queued)
+        return sum(one.number < first for one in self._queued)
 
     def _standing_at(
         self, queued: QueuedMove, waypoint: Waypoint, offset: Pos | None

@@ -26,7 +26,7 @@ from rapidsim.language.files import Files
 from rapidsim.language.guidance import Guidance
 from rapidsim.language.messages import Messages
 from rapidsim.language.modules import Modules
-from rapidsim.language.moves import MotionSettings, Move, Place
+from rapidsim.language.moves import AnnouncedTargets, MotionSettings, Move, Place
 from rapidsim.language.option_data import RestartData
 from rapidsim.language.path_control import (
     PathControl,
@@ -158,7 +158,7 @@ class Motion(Protocol):
         """
         ...
 
-    def expect(self, targets: Sequence[RobTarget]) -> None:
+    def expect(self, targets: AnnouncedTargets) -> None:
         """Announce the targets of the next moves, which probably differ in nothing else."""
         ...
 

@@ -8,6 +8,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import field
 from enum import Enum, auto
+from typing import Protocol
 
 from rapidsim.diagnostics import Span
 from rapidsim.language.data import (
@@ -47,12 +48,32 @@ class Place:
     routine: str
     arguments: Mapping[str, str] = field(default_factory=dict)
     """Source text of the call's arguments, by folded parameter name: `{"topoint": "p20"}`."""
-    is_lasting: bool = field(default=True, compare=False)
-    """Whether it stays the same when the statement is executed again; not for bulk moves."""
+    row: AnnouncedRow | None = field(default=None, compare=False)
+    """Its row in bulk moves, which make a place anew for each execution; None for others."""
 
     def __repr__(self) -> str:
         """One line."""
         return f"{self.span!r} in {self.routine}"
+
+
+class AnnouncedTargets(Protocol):
+    """Targets of the next moves, known before their statements execute."""
+
+    def __len__(self) -> int: ...
+
+    def __getitem__(self, number: int) -> RobTarget: ...
+
+    def place(self, number: int) -> Place:
+        """Place of the statement with the target of a number."""
+        ...
+
+
+@value_class(frozen=True, slots=True, eq=False)
+class AnnouncedRow:
+    """A statement with an announced target."""
+
+    targets: AnnouncedTargets
+    number: int
 
 
 class Interpolation(Enum):

@@ -54,6 +54,16 @@ def test_the_deciding_point_is_slow_where_the_held_speed_is_low(knots: list[floa
     assert (0.4 * speeds[deciding] <= held).all()
 
 
+def test_of_two_equal_dips_the_first_decides() -> None:
+    speeds = np.ones(len(PLACES))
+    dips = np.searchsorted(PLACES, [0.298, 0.302])
+    speeds[dips] = 0.1
+    between = np.arange(dips[0] + 1, dips[1])
+    assert (deciding_points(PLACES, speeds, between, WINDOW_S) == dips[0]).all()
+    speeds[dips[1]] = 0.099
+    assert (deciding_points(PLACES, speeds, between, WINDOW_S) == dips[1]).all()
+
+
 def test_a_dip_is_held_as_long_as_the_window_and_no_longer() -> None:
     speeds = np.where(np.abs(PLACES - 0.3) < 0.005, 0.1, 1.0)
     held = held_speeds(PLACES, speeds, EVERYWHERE, WINDOW_S)

@@ -129,7 +129,8 @@ def test_joints_on_lines_are_those_of_inverse_kinematics(program: Programmer) ->
     path = path_or_fault(program, MODEL)
     if isinstance(path, PathFault) or path.lines is None:
         return
-    s, piece = path.nodes.place, path.nodes.part
+    s = path.nodes.place
+    piece = path.layout.piece_at(s)
     joints, holds = path.lines.joints(s, piece)
     expected, exists = curve_following._joints_in_general(path.layout, path.arms, s, piece)
     assert exists[holds].all()

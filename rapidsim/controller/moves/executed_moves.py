@@ -2,16 +2,20 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from bisect import bisect_right
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import replace
 from functools import cached_property
-from typing import TypeAlias, overload
+from itertools import accumulate, chain
+from operator import attrgetter
+from typing import TypeAlias, TypeVar, overload
 
 import numpy as np
 import numpy.typing as npt
 
 from rapidsim.controller.moves.executed_move import CornerKind, ExecutedMove
 from rapidsim.controller.moves.queued_move import QueuedMove, executed_move
+from rapidsim.controller.moves.settled_lines import SettledLines
 from rapidsim.frames.transform import Array
 from rapidsim.language.moves import Move, Place
 from rapidsim.values import value_class
@@ -21,6 +25,103 @@ Index = npt.NDArray[np.int64]
 
 MoveRow: TypeAlias = QueuedMove | ExecutedMove
 """They have most attributes in common."""
+Part: TypeAlias = Sequence[MoveRow]
+"""Moves in order; lines that have settled are columns."""
+Value = TypeVar("Value")
+
+
+class MoveRows(Sequence[MoveRow]):
+    """Moves in parts, of which some are columns; each of theirs is created when it is needed."""
+
+    __slots__ = ("_begins", "parts")
+
+    def __init__(self, parts: Sequence[Part]) -> None:
+        """Join parts."""
+        self.parts = tuple(part for part in parts if len(part))
+        self._begins = list(accumulate(map(len, self.parts), initial=0))
+
+    def __len__(self) -> int:
+        """Number of moves."""
+        return self._begins[-1]
+
+    def __iter__(self) -> Iterator[MoveRow]:
+        """Iterate over the moves."""
+        return chain.from_iterable(self.parts)
+
+    @overload
+    def __getitem__(self, at: int) -> MoveRow: ...
+    @overload
+    def __getitem__(self, at: slice) -> Sequence[MoveRow]: ...
+
+    def __getitem__(self, at: int | slice) -> MoveRow | Sequence[MoveRow]:
+        """Return a move, or those of a slice."""
+        if isinstance(at, slice):
+            return tuple(map(self.__getitem__, range(len(self))[at]))
+        number = range(len(self))[at]
+        part = bisect_right(self._begins, number) - 1
+        return self.parts[part][number - self._begins[part]]
+
+    def values(
+        self,
+        of_lines: Callable[[SettledLines], Sequence[Value]],
+        of_row: Callable[[MoveRow], Value],
+    ) -> tuple[Value, ...]:
+        """Return a value of each move: those of settled lines together, the others one by one."""
+        return tuple(
+            value
+            for part in self.parts
+            for value in (of_lines(part) if isinstance(part, SettledLines) else map(of_row, part))
+        )
+
+    def column(
+        self, of_lines: Callable[[SettledLines], Array], of_row: Callable[[MoveRow], object]
+    ) -> Array:
+        """Return numbers (k, ...) of the moves."""
+        columns = [
+            of_lines(part)
+            if isinstance(part, SettledLines)
+            else np.array(list(map(of_row, part)), dtype=np.float64)
+            for part in self.parts
+        ]
+        return np.concatenate(columns) if columns else np.zeros(0)
+
+
+class RowValues(Sequence[Value]):
+    """A value of each move, created when it is needed."""
+
+    __slots__ = ("_of_line", "_of_row", "_rows")
+
+    def __init__(
+        self,
+        rows: MoveRows,
+        of_line: Callable[[SettledLines, int], Value],
+        of_row: Callable[[MoveRow], Value],
+    ) -> None:
+        """Take the value of a settled line by its number, and of other moves."""
+        self._rows, self._of_line, self._of_row = rows, of_line, of_row
+
+    def __len__(self) -> int:
+        """Number of moves."""
+        return len(self._rows)
+
+    def __iter__(self) -> Iterator[Value]:
+        """Iterate over the values."""
+        for part in self._rows.parts:
+            if isinstance(part, SettledLines):
+                yield from (self._of_line(part, number) for number in range(len(part)))
+            else:
+                yield from map(self._of_row, part)
+
+    @overload
+    def __getitem__(self, at: int) -> Value: ...
+    @overload
+    def __getitem__(self, at: slice) -> Sequence[Value]: ...
+
+    def __getitem__(self, at: int | slice) -> Value | Sequence[Value]:
+        """Return the value of a move, or those of a slice."""
+        if isinstance(at, slice):
+            return tuple(map(self.__getitem__, range(len(self))[at]))
+        return self._of_row(self._rows[at])
 
 
 @value_class(frozen=True, eq=False)
@@ -34,43 +135,48 @@ class MoveColumns:
     end_s: Array
     """Shape (k,)."""
     tasks: Sequence[str]
-    rows: Sequence[MoveRow]
+    rows: MoveRows
 
     @cached_property
-    def moves(self) -> tuple[Move, ...]:
+    def moves(self) -> Sequence[Move]:
         """The moves as programmed."""
-        return tuple(row.move for row in self.rows)
+        return RowValues(self.rows, SettledLines.move, attrgetter("move"))
 
     @cached_property
-    def places(self) -> tuple[Place, ...]:
+    def places(self) -> Sequence[Place]:
         """Their places in the program."""
-        return tuple(row.place for row in self.rows)
+        return RowValues(self.rows, SettledLines.place, attrgetter("place"))
+
+    @cached_property
+    def templates(self) -> tuple[Move, ...]:
+        """For each move one that differs from it, if at all, in its target."""
+        return self.rows.values(lambda lines: (lines.rows.like,) * len(lines), attrgetter("move"))
 
     @cached_property
     def corners(self) -> tuple[CornerKind, ...]:
         """Types of their ends."""
-        return tuple(row.corner for row in self.rows)
+        return self.rows.values(SettledLines.corners, attrgetter("corner"))
 
     @cached_property
     def zone_m(self) -> Array:
         """Shape (k,)."""
-        return np.array([row.zone_m for row in self.rows])
+        return self.rows.column(attrgetter("zone_m"), attrgetter("zone_m"))
 
     @cached_property
     def length_m(self) -> Array:
         """Shape (k,)."""
-        return np.array([row.length_m for row in self.rows])
+        return self.rows.column(attrgetter("length_m"), attrgetter("length_m"))
 
     @cached_property
     def end_m(self) -> Array:
         """Shape (k, 3): position of the TCP at the programmed end, in base."""
-        ends = [row.base_from_tcp.translation for row in self.rows]
-        return np.array(ends).reshape(-1, 3)
+        ends = self.rows.column(SettledLines.end_m, lambda row: row.base_from_tcp.translation)
+        return ends.reshape(-1, 3)
 
     @cached_property
     def speed_mm_s(self) -> Array:
         """Shape (k,): programmed speed [mm/s] of the TCP."""
-        return np.array([move.speed.v_tcp for move in self.moves])
+        return np.array([move.speed.v_tcp for move in self.templates])
 
 
 class ExecutedMoves(Sequence[ExecutedMove]):
@@ -105,11 +211,12 @@ class ExecutedMoves(Sequence[ExecutedMove]):
 
 def moves_of(moves: Iterable[ExecutedMove]) -> ExecutedMoves:
     """Return executed moves with their columns."""
-    rows = tuple(moves)
-    index = np.array([row.index for row in rows], dtype=np.int64)
-    start_s = np.array([row.start_s for row in rows], dtype=np.float64)
-    end_s = np.array([row.end_s for row in rows], dtype=np.float64)
-    return ExecutedMoves(MoveColumns(index, start_s, end_s, tuple(row.task for row in rows), rows))
+    done = tuple(moves)
+    index = np.array([row.index for row in done], dtype=np.int64)
+    start_s = np.array([row.start_s for row in done], dtype=np.float64)
+    end_s = np.array([row.end_s for row in done], dtype=np.float64)
+    tasks = tuple(row.task for row in done)
+    return ExecutedMoves(MoveColumns(index, start_s, end_s, tasks, MoveRows([done])))
 
 
 def moves_of_all(parts: Sequence[ExecutedMoves], offsets: Sequence[int]) -> ExecutedMoves:
@@ -124,6 +231,6 @@ def moves_of_all(parts: Sequence[ExecutedMoves], offsets: Sequence[int]) -> Exec
             np.concatenate([own.start_s for own in every]),
             np.concatenate([own.end_s for own in every]),
             tuple(task for own in every for task in own.tasks),
-            tuple(row for own in every for row in own.rows),
+            MoveRows([part for own in every for part in own.rows.parts]),
         )
     )

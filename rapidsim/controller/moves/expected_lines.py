@@ -15,16 +15,17 @@ from functools import partial
 from operator import attrgetter
 
 import numpy as np
-import numpy.typing as npt
 
 from rapidsim.controller.journal.journal import Instant
 from rapidsim.controller.moves.executed_move import CornerKind
+from rapidsim.controller.moves.line_rows import LineRow, LineRows
 from rapidsim.controller.moves.move_data import wrist_asked_in_joints
 from rapidsim.controller.moves.queued_move import QueuedMove
 from rapidsim.frames.quaternion import norm
-from rapidsim.frames.transform import Array, Transform, matrix_from_quaternion
-from rapidsim.language.data import NO_EXTERNAL_AXES, ConfData, RobTarget
+from rapidsim.frames.transform import Transform, matrix_from_quaternion
+from rapidsim.language.data import NO_EXTERNAL_AXES, RobTarget
 from rapidsim.language.moves import (
+    AnnouncedTargets,
     Interpolation,
     MotionSettings,
     Move,
@@ -36,7 +37,6 @@ from rapidsim.motion.configurations.short_lines import SHORT_TURN
 from rapidsim.motion.configurations.targets import MM, TOLERATED_NORM_ERROR, Placement
 from rapidsim.motion.geometry.segments import Segment, Waypoint
 from rapidsim.motion.robot.robot import Robot
-from rapidsim.values import value_class
 
 _FIRST_ROWS = 64
 _MOST_ROWS = 1000
@@ -49,30 +49,15 @@ _parameters_of = attrgetter(*(name for name in map(_NAME, fields(Move)) if name 
 _SHARED = tuple(name for name in map(_NAME, fields(Segment)) if name not in ("start", "end"))
 
 
-@value_class(frozen=True, slots=True, eq=False)
-class _Rows:
-    """Ends of lines (k,), of which each starts where the one before it ends."""
-
-    joints: Array
-    """Shape (k, n) [rad]."""
-    ends: Transform
-    """Shape (k,): curve_from_tcp."""
-    start: Waypoint
-    """Start of the first line, with the pose there of the tool of these."""
-    confdata: npt.NDArray[np.int64]
-    """Shape (k, 4)."""
-
-    def __len__(self) -> int:
-        return len(self.joints)
-
-
 class ExpectedLines:
     """The announced targets of a task, and the rows of those that come next."""
 
     def __init__(self, robot: Robot) -> None:
         """Expect nothing."""
         self._robot = robot
-        self._targets: Sequence[RobTarget] = ()
+        self._targets: AnnouncedTargets
+        self._count = 0
+        """Number of announced targets."""
         self._next = 0
         """Number of the first target that has not been moved to."""
         self._known: tuple[object, ...] = ()
@@ -81,7 +66,7 @@ class ExpectedLines:
         """Makes the segment of such a move from its ends."""
         self._branch: int | None = None
         """Branch of the arm in such a move; None before the first."""
-        self._rows: _Rows | None = None
+        self._rows: LineRows | None = None
         self._first = 0
         """Number of the target of the first row."""
         self._from: Waypoint | None = None
@@ -89,9 +74,10 @@ class ExpectedLines:
         self._most = _FIRST_ROWS
         self._failures = 0
 
-    def expect(self, targets: Sequence[RobTarget]) -> None:
+    def expect(self, targets: AnnouncedTargets) -> None:
         """Announce the targets of the next moves."""
-        self._targets, self._next, self._failures = targets, 0, 0
+        self._targets, self._count = targets, len(targets)
+        self._next = self._failures = 0
         self._rows = None
 
     def take(
@@ -103,9 +89,9 @@ class ExpectedLines:
         placed_of: Callable[[Move], Placement],
     ) -> QueuedMove | None:
         """Return an announced move, resolved; None if it has to be resolved by itself."""
-        while self._next < len(self._targets) and self._targets[self._next] is not move.to:
+        while self._next < self._count and self._targets[self._next] is not move.to:
             self._next += 1
-        if self._next == len(self._targets):
+        if self._next == self._count:
             return None
         if (*_parameters_of(move), settings) != self._known:
             return None
@@ -116,14 +102,14 @@ class ExpectedLines:
             if self._rows is None:
                 self._failures += 1
                 if self._failures == _MOST_FAILURES:
-                    self._next = len(self._targets)
+                    self._next = self._count
                 return None
         self._next += 1
         return self._queued(self._rows, at, move, place, start, settings)
 
     def learn(self, move: Move, settings: MotionSettings, segment: Segment) -> None:
         """Note an announced move that was resolved by itself, with its segment."""
-        if self._next < len(self._targets) and self._targets[self._next] is move.to:
+        if self._next < self._count and self._targets[self._next] is move.to:
             self._next += 1
             self._known = (*_parameters_of(move), settings)
             shared = {name: getattr(segment, name) for name in _SHARED}
@@ -132,31 +118,32 @@ class ExpectedLines:
 
     def _queued(
         self,
-        rows: _Rows,
+        rows: LineRows,
         at: int,
         move: Move,
         place: Place,
         start: Waypoint,
         settings: MotionSettings,
     ) -> QueuedMove:
-        end = Waypoint(rows.joints[at], rows.ends[at], start.external)
-        segment = self._segment_of(start=start if at else rows.start, end=end)
+        end = rows.end(at)
+        segment = rows.segment_of(start=start if at else rows.start, end=end)
         self._from = end
         return QueuedMove(
             move,
             place,
             segment,
-            ConfData(*map(float, rows.confdata[at].tolist())),
+            rows.conf(at),
             Instant(),
             CornerKind.STOP if segment.zone is None else CornerKind.FLY_BY,
             end.base_from_tcp,
             segment.tcp_from_flange,
             settings.grip_load_kg,
+            LineRow(rows, at, segment),
         )
 
     def _rows_from(
         self, move: Move, start: Waypoint, settings: MotionSettings, placed: Placement
-    ) -> _Rows | None:
+    ) -> LineRows | None:
         """Return the next rows; None if there are too few, or these are no plain lines."""
         kinematics = self._robot.kinematics
         branch = int(kinematics.branch_of(start.joints))
@@ -169,7 +156,8 @@ class ExpectedLines:
             or branch != self._branch
         ):
             return None
-        targets = self._targets[self._next : self._next + self._most]
+        until = min(self._next + self._most, self._count)
+        targets = [self._targets[number] for number in range(self._next, until)]
         ends = _poses(targets, placed)
         joints = kinematics.inverse_on_branch(ends @ placed.tcp_from_flange, branch, start.joints)
         before = np.concatenate([start.joints[None], joints.joints[:-1]])
@@ -183,13 +171,23 @@ class ExpectedLines:
         if settings.conf_l and has_branches(kinematics):
             plain &= (confdata == [one.robconf for one in targets]).all(axis=1)
         count = len(targets) if plain.all() else int(plain.argmin())
-        if count < min(_FEWEST_ROWS, len(self._targets) - self._next):
+        if count < min(_FEWEST_ROWS, self._count - self._next):
             self._most = _FIRST_ROWS
             return None
         self._most = min(2 * count, _MOST_ROWS)
         begin = placed.standing_at(kinematics, start.joints, start.external)
         first = Waypoint(start.joints, begin, start.external)
-        return _Rows(joints.joints[:count], ends[:count], first, confdata[:count])
+        return LineRows(
+            joints.joints[:count].copy(),
+            Transform(ends.rotation[:count].copy(), ends.translation[:count].copy()),
+            first,
+            confdata[:count].copy(),
+            move,
+            self._segment_of,
+            settings.grip_load_kg,
+            self._targets,
+            self._next,
+        )
 
 
 def _poses(targets: Sequence[RobTarget], placed: Placement) -> Transform:

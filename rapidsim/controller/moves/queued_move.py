@@ -8,6 +8,7 @@ import numpy as np
 
 from rapidsim.controller.journal.journal import Instant
 from rapidsim.controller.moves.executed_move import CornerKind, ExecutedMove
+from rapidsim.controller.moves.line_rows import LineRow
 from rapidsim.frames.rotation_vectors import vector_from_rotation
 from rapidsim.frames.transform import Array, Transform
 from rapidsim.language.data import ConfData, ToolData, WobjData
@@ -35,6 +36,8 @@ class QueuedMove:
     """Pose at the programmed end; with a stationary tool it changes along the move."""
     grip_load_kg: float = 0.0
     """Mass that the gripper holds, by GripLoad."""
+    line: LineRow | None = None
+    """Its row, if it was resolved together with others."""
     number: int = 0
     """Its number among all moves that the robot ever got."""
     level: int = 0

@@ -149,7 +149,7 @@ class Resolver:
         is_made_anew = is_first or lead is not None or self.may_have_carrier(move.wobj)
         if is_made_anew:
             return self._resolved(move, place, start, settings, lead, is_first=is_first)
-        if not place.is_lasting:
+        if place.row is not None:
             place_move = partial(self._placement_of, place=place, lead=None)
             row = self.expected.take(move, place, start, settings, place_move)
             if row is not None:

@@ -3,12 +3,16 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import field
+from operator import attrgetter
 from typing import Protocol
 
 import numpy as np
 
-from rapidsim.controller.moves.executed_moves import ExecutedMoves, MoveColumns
+from rapidsim.controller.moves.executed_moves import ExecutedMoves, MoveColumns, MoveRows
+from rapidsim.controller.moves.queued_move import QueuedMove
+from rapidsim.controller.moves.settled_lines import SettledLines
 from rapidsim.controller.queue.move_log import MoveLog
 from rapidsim.controller.queue.plan_cache import PlanCache
 from rapidsim.controller.queue.planning_costs import PlanningCosts
@@ -147,24 +151,29 @@ class Member:
 
     def executed(self, task: str) -> ExecutedMoves:
         """All planned moves, with the times at which the arm makes them, lag included."""
-        done = [
-            (index, queued)
-            for index, queued in self.moves.numbered()
-            if queued.ended_s is not None and queued.started.time is not None
-        ]
-        index, queue = (
-            np.array([one for one, _ in done], dtype=np.int64),
-            tuple(one for _, one in done),
+        rows = MoveRows([_planned(part) for part in self.moves.parts])
+        index = rows.column(SettledLines.numbers, attrgetter("number")).astype(np.int64)
+        both = np.stack(
+            [rows.column(*2 * [attrgetter(name)]) for name in ("start_place_m", "end_place_m")],
+            axis=-1,
         )
-        both = np.array([[queued.start_place_m, queued.end_place_m] for queued in queue])
         # Most moves begin where the previous one ends.
         places, row = np.unique(both.reshape(-1), return_inverse=True)
         start_s, end_s = self.trajectory.time_at_place(places)[row].reshape(-1, 2).T
         # The arm may have been at rest for a while where a block begins.
-        at_rest = np.array([queued.command_start_s for queued in queue], dtype=np.float64)
+        at_rest = rows.column(
+            lambda lines: np.full(len(lines), np.nan), attrgetter("command_start_s")
+        )
         start_s = np.where(np.isnan(at_rest), start_s, at_rest)
         end_s = np.maximum(start_s, end_s)
-        return ExecutedMoves(MoveColumns(index, start_s, end_s, (task,) * len(queue), queue))
+        return ExecutedMoves(MoveColumns(index, start_s, end_s, (task,) * len(rows), rows))
+
+
+def _planned(part: Sequence[QueuedMove]) -> Sequence[QueuedMove]:
+    """Return the moves of a part that have been planned; settled lines have."""
+    if isinstance(part, SettledLines):
+        return part
+    return tuple(one for one in part if one.ended_s is not None and one.started.time is not None)
 
 
 def member_at_rest(robot: Robot, model: MotionModel, start: Waypoint) -> Member:

@@ -40,6 +40,8 @@ from rapidsim.motion.trajectory.trajectory import Trajectory
 
 MAX_OPEN_MOVES = 2000
 """Maximum number of moves planned in one go; a longer block is committed as it is planned."""
+REMEMBERED_S = 10.0
+"""Motion history [s] kept of a robot: more than any reader, or smoothing, needs."""
 LOOK_AHEAD_SLACK_S = 0.01
 """The program may compute this long at a fly-by point before it affects the path, and after a stop
 before it counts as waiting."""
@@ -307,7 +309,18 @@ class MotionQueue:
             index -= 1
         if index <= self.block.commit.move:
             return None
-        return self._commit_start(index)
+        time_s = self._commit_start(index)
+        self._settle()
+        return time_s
+
+    def _settle(self) -> None:
+        """Forget the travelled moves of a long block, and let them settle in the logs."""
+        if self.block.commit.move < MAX_OPEN_MOVES // 2:
+            return
+        self.forget(self.block.commit.time_s - REMEMBERED_S)
+        for member, row in zip(self.members, self.block.rows, strict=True):
+            if not member.level:
+                member.moves.settle(row[0].number)
 
     def planned(self) -> BlockPlan:
         """The open part of the block, planned to a stop at its last move; nothing else changes."""

@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 from time import process_time
 
+from rapidsim.controller.moves.planned_segments import segments_of
 from rapidsim.controller.moves.queued_move import MotionError, QueuedMove
 from rapidsim.controller.queue.belt_planning import BlockStart, follows_belt, plan_on_belt
 from rapidsim.controller.queue.member import Member
@@ -85,10 +86,11 @@ class PathPlanner:
         Raises:
             MotionError: If a robot cannot make one of its moves.
         """
-        segments = [[queued.segment for queued in row] for row in rows]
+        segments: list[Sequence[Segment]] = [segments_of(row) for row in rows]
         if lost_corner is not None:
-            for own in segments:
-                own[lost_corner] = replace(own[lost_corner], zone=None)
+            for number, own in enumerate(segments):
+                late = replace(own[lost_corner], zone=None)
+                segments[number] = (*own[:lost_corner], late, *own[lost_corner + 1 :])
 
         if follows_belt(segments[0]):
             return self._plan_on_belt(rows, segments[0], start)

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any
 from rapidsim.diagnostics import Source, Span
 from rapidsim.language.controller import Motion
 from rapidsim.language.data import ConfData, ExtJoint, Orient, Pos, RobTarget
-from rapidsim.language.moves import Place
+from rapidsim.language.moves import AnnouncedRow, Place
 from rapidsim.syntax import tree
 from rapidsim.values import value_class
 
@@ -94,12 +94,49 @@ class BulkExecution:
 
     def moves(self, motion: Motion) -> Iterator[BulkMove]:
         """Yield the moves in order; their targets are announced."""
-        source, routine, texts = self.like.span.source, self.like.routine, self.like.arguments
         for first in range(0, len(self.run), _AT_ONCE):
-            rows = slice(first, first + _AT_ONCE)
-            targets = tuple(targets_of(self.run.numbers[rows]))
+            targets = BulkTargets(self, slice(first, first + _AT_ONCE))
             motion.expect(targets)
-            for row, target in zip(self.run.rows(rows), targets, strict=True):
-                arguments = _Texts(texts, self.parameter, source, row.target)
-                span = Span(source, row.start, row.end)
-                yield BulkMove(row, Place(span, routine, arguments, is_lasting=False), target)
+            yield from targets.moves()
+
+
+class BulkTargets:
+    """The targets of some of the rows, created again when they are needed after their moves."""
+
+    __slots__ = ("_created", "_of", "_rows")
+
+    def __init__(self, of: BulkExecution, rows: slice) -> None:
+        """Create the targets of a slice of rows."""
+        self._of, self._rows = of, rows
+        self._created: tuple[RobTarget, ...] | None = tuple(targets_of(of.run.numbers[rows]))
+
+    def __len__(self) -> int:
+        """Number of targets."""
+        return len(self._of.run.numbers[self._rows])
+
+    def __getitem__(self, number: int) -> RobTarget:
+        """Return a target."""
+        if self._created is not None:
+            return self._created[number]
+        row = self._rows.start + number
+        return next(targets_of(self._of.run.numbers[row : row + 1]))
+
+    def place(self, number: int) -> Place:
+        """Place of the statement of a target."""
+        row = self._rows.start + number
+        return self._place(next(self._of.run.rows(slice(row, row + 1))), number)
+
+    def moves(self) -> Iterator[BulkMove]:
+        """Yield the moves in order."""
+        assert self._created is not None
+        both = zip(self._of.run.rows(self._rows), self._created, strict=True)
+        for number, (row, target) in enumerate(both):
+            yield BulkMove(row, self._place(row, number), target)
+        self._created = None
+
+    def _place(self, row: tree.BulkRow, number: int) -> Place:
+        like = self._of.like
+        source = like.span.source
+        arguments = _Texts(like.arguments, self._of.parameter, source, row.target)
+        span = Span(source, row.start, row.end)
+        return Place(span, like.routine, arguments, AnnouncedRow(self, number))

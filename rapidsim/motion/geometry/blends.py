@@ -250,7 +250,7 @@ def _zone_on_joint_moves(
     moves = [segments[i] for i in row]
     travel = curves.joint_travel[row]
     arms = arms_of(moves, kinematics, travel, np.ones(len(row)))
-    corner = (curves.end if at_end else curves.start).translation[row]
+    corner = (curves.end if at_end else curves.start.translation)[row]
 
     def distance(share: Array) -> Array:
         """TCP distances (k, j) from the corner at shares (k, j) of the move, counted from it."""

@@ -23,8 +23,15 @@ from rapidsim.frames.rotation_vectors import (
 )
 from rapidsim.frames.transform import Array, Transform
 from rapidsim.motion.geometry.joint_mapping import arms_of
-from rapidsim.motion.geometry.segments import TURNS_WITH_PATH, CircleMode, Geometry, Segment
+from rapidsim.motion.geometry.segments import (
+    TURNS_WITH_PATH,
+    CircleMode,
+    Geometry,
+    Segment,
+    Waypoint,
+)
 from rapidsim.motion.kinematics.arm import Kinematics
+from rapidsim.repeated_rows import shared_row
 from rapidsim.values import value_class
 
 Index = npt.NDArray[np.int64]
@@ -65,7 +72,8 @@ class Curves:
     """Travel of each external axis (m, e), without sign [m or rad]."""
     start: Transform
     """base_from_tcp."""
-    end: Transform
+    end: Array
+    """Position of the TCP."""
     chord: Array
     """Vector from start to end of a line; 0 for arcs."""
     spoke: Array
@@ -199,15 +207,16 @@ def curves_of(segments: Sequence[Segment], kinematics: Kinematics) -> Curves:
         angle=angle,
         turned=turned,
         turns_only=idle,
-        external=external,
+        # A copy: as a part of wider rows it would retain these.
+        external=external.copy(),
         start=start,
-        end=end,
+        end=end.translation,
         chord=chord,
-        spoke=spoke,
-        frame_turn=frame_turn,
-        carried_turn=carried_turn,
-        tool_turn=tool_turn,
-        detour=detour,
+        spoke=shared_row(spoke),
+        frame_turn=shared_row(frame_turn),
+        carried_turn=shared_row(carried_turn),
+        tool_turn=shared_row(tool_turn),
+        detour=shared_row(detour),
         start_joints=start_joints,
         joint_travel=joint_travel,
     )
@@ -344,21 +353,24 @@ def _joint_move_travel(
 def _ends(segments: Sequence[Segment]) -> tuple[Transform, Transform, Array, Array]:
     """Return poses (m,) at starts and ends, and joints (m, n + e) at starts and ends."""
     points = [segments[0].start, *(segment.end for segment in segments)]
-    starts, ends = slice(0, -1), slice(1, None)
     if any(one.start is not point for one, point in zip(segments, points, strict=False)):
         # Segments are not consecutive: some start differs from the previous end.
-        points[:1] = [segment.start for segment in segments]
-        starts, ends = slice(0, len(segments)), slice(len(segments), None)
-    poses = Transform(
-        np.array([point.base_from_tcp.rotation for point in points]),
-        np.array([point.base_from_tcp.translation for point in points]),
-    )
-    joints = np.array([point.joints for point in points])
-    if len(points[0].external):
-        joints = np.concatenate([joints, [point.external for point in points]], axis=1)
-    first, last = joints[starts], joints[ends]
+        start, first = _poses([segment.start for segment in segments])
+        end, last = _poses(points[1:])
+    else:
+        poses, joints = _poses(points)
+        start, end, first, last = poses[:-1], poses[1:], joints[:-1], joints[1:]
     led = [segment.carrier_axes for segment in segments if segment.carrier_axes is not None]
     if led:
         first = np.concatenate([first, [start for start, _ in led]], axis=1)
         last = np.concatenate([last, [end for _, end in led]], axis=1)
-    return poses[starts], poses[ends], first, last
+    return start, end, first, last
+
+
+def _poses(points: Sequence[Waypoint]) -> tuple[Transform, Array]:
+    """Return poses (k,) and joints (k, n + e) of points."""
+    poses = Transform.stacked([point.base_from_tcp for point in points])
+    joints = np.array([point.joints for point in points])
+    if len(points[0].external):
+        joints = np.concatenate([joints, [point.external for point in points]], axis=1)
+    return poses, joints

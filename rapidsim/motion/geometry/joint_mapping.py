@@ -26,9 +26,11 @@ import numpy.typing as npt
 from rapidsim.frames.moving_frames import ExternalCourse, Twists, carried
 from rapidsim.frames.rotation_vectors import cross, rotate
 from rapidsim.frames.transform import Array, Transform
+from rapidsim.motion.derived_values import derived_value
 from rapidsim.motion.geometry.segments import Carrier, CarrierRobot, Geometry, Segment
 from rapidsim.motion.geometry.wrist_pair import WristPairs, wrist_pairs_of
 from rapidsim.motion.kinematics.arm import Kinematics, Mask
+from rapidsim.repeated_rows import shared_row
 
 Index = npt.NDArray[np.int64]
 
@@ -178,7 +180,7 @@ class JointMapper:
             in_base.put(at, on_curve if carrier.base_from_tool is None else on_curve.inverse())
         return in_base
 
-    @cached_property
+    @derived_value
     def _flange_from_tcp(self) -> Transform:
         return self.tcp_from_flange.inverse()
 
@@ -277,10 +279,10 @@ def arms_of(
     wrist_rate = joint_travel[:, _MAIN_AXES:n] / np.maximum(length, 1e-9)[:, None]
     return JointMapper(
         kinematics,
-        np.array([segment.branch for segment in segments]),
+        shared_row(np.array([segment.branch for segment in segments])),
         Transform(
-            np.array([segment.tcp_from_flange.rotation for segment in segments]),
-            np.array([segment.tcp_from_flange.translation for segment in segments]),
+            shared_row(np.array([segment.tcp_from_flange.rotation for segment in segments])),
+            shared_row(np.array([segment.tcp_from_flange.translation for segment in segments])),
         ),
         carriers if any(carriers) else (),
         turned if turned.any() else None,

@@ -19,6 +19,7 @@ from rapidsim.motion.geometry.blends import Corners
 from rapidsim.motion.geometry.curves import Curves, Index
 from rapidsim.motion.kinematics.arm import Mask
 from rapidsim.motion.model import BlendShape
+from rapidsim.repeated_rows import shared_row
 from rapidsim.values import value_class
 
 _SLIVER = 1e-12
@@ -273,6 +274,8 @@ def layout_of(
         return corner
 
     cartesian = ~corners.in_joints
+    moving = within(corners.radius, cartesian)
+    turning = within(corners.orientation_radius, cartesian)
     return PathParameterisation(
         curves=curves,
         corners=corners,
@@ -280,8 +283,8 @@ def layout_of(
         places=places,
         bounds=bounds,
         row=row.astype(np.int64),
-        position_corner=within(corners.radius, cartesian),
-        orientation_corner=within(corners.orientation_radius, cartesian),
-        joint_corner=within(corners.radius, corners.in_joints),
+        position_corner=moving,
+        orientation_corner=moving if np.array_equal(moving, turning) else turning,
+        joint_corner=shared_row(within(corners.radius, corners.in_joints)),
         carrier_axes=carrier_axes,
     )

@@ -31,19 +31,36 @@ _JUMP = 0.5
 
 
 @value_class(frozen=True, slots=True, eq=False)
-class Nodes:
-    """Joints along curves, rows in the order of curves and positions."""
+class NodeJoints:
+    """Joints at places of a path, in order."""
 
     place: Array
     """Shape (k,): position on the path or curve."""
+    joints: Array
+    """Shape (k, n + e) [rad]; continuous along each curve, whole turns included."""
+
+
+@value_class(frozen=True, slots=True, eq=False)
+class Nodes:
+    """Joints along curves, rows in the order of curves and positions."""
+
+    course: NodeJoints
     part: Index
     """Shape (k,): part of a curve that contains the place."""
     curve: Index
     """Shape (k,)."""
-    joints: Array
-    """Shape (k, n + e) [rad]; continuous along each curve, whole turns included."""
     exists: Mask
     """Shape (k,): whether the branch of the curve reaches the place."""
+
+    @property
+    def place(self) -> Array:
+        """Shape (k,): see `NodeJoints`."""
+        return self.course.place
+
+    @property
+    def joints(self) -> Array:
+        """Shape (k, n + e) [rad]: see `NodeJoints`."""
+        return self.course.joints
 
     def jumps(self, turns: Array) -> Mask:
         """Mask (k - 1,) of jumps of an arm joint between successive nodes.
@@ -107,7 +124,7 @@ def nodes_along(
         exists = np.insert(exists, at + 1, new_exists)
     of_arm = _continuous(joints[:, :joint_count], curve, turns)
     joints = np.concatenate([of_arm, joints[:, joint_count:]], axis=1)
-    return Nodes(place, part, curve, joints, exists)
+    return Nodes(NodeJoints(place, joints), part, curve, exists)
 
 
 def _continuous(joints: Array, curve: Index, turns: Array) -> Array:

@@ -53,7 +53,7 @@ class Outline:
     """Curves and corners of a path, before inverse kinematics along it."""
 
     robot: Robot
-    segments: tuple[Segment, ...]
+    segments: Sequence[Segment]
     model: MotionModel
     active: Index
     """Shape (m,): see `Path.active`."""
@@ -99,7 +99,7 @@ def outline_of(
     check_deadline()
     arms = arms_of(moving, kinematics, curves.joint_travel, curves.length)
     corners = without_skipped(corners_of(moving, curves, arms, model), active)
-    return Outline(robot, tuple(segments), model, active, curves, arms, corners)
+    return Outline(robot, segments, model, active, curves, arms, corners)
 
 
 def path_along(
@@ -117,7 +117,7 @@ def path_along(
     nodes = follow(layout, arms, lines, moving, axes, check_deadline)
     if isinstance(nodes, PathFault):
         return dataclasses.replace(nodes, segment=int(active[nodes.segment]))
-    path = Path(segments, kinematics, layout, arms, active, nodes, model, lines)
+    path = Path(segments, kinematics, layout, arms, active, nodes.course, model, lines)
     check_deadline()
     fault = _joint_space_fault(path, axes)
     if fault is not None:

@@ -14,7 +14,7 @@ from rapidsim.frames.transform import Array
 from rapidsim.motion.geometry.curves import Index
 from rapidsim.motion.geometry.joint_mapping import JointMapper
 from rapidsim.motion.geometry.parameterisation import PathParameterisation
-from rapidsim.motion.path.along_curves import Nodes
+from rapidsim.motion.path.along_curves import NodeJoints
 from rapidsim.values import value_class
 
 
@@ -95,7 +95,7 @@ class JointsOnPath:
 
     layout: PathParameterisation
     arms: JointMapper
-    nodes: Nodes
+    nodes: NodeJoints
 
     def spaces(self, piece: Index) -> tuple[Index, Index]:
         """Return indices of pieces (k,) in Cartesian space, and of pieces in joint space.

@@ -14,6 +14,7 @@ import numpy as np
 
 from rapidsim.frames.rotation_vectors import rotate
 from rapidsim.frames.transform import Array
+from rapidsim.motion.derived_values import derived_value
 from rapidsim.motion.geometry.curves import STANDSTILL, Index
 from rapidsim.motion.geometry.joint_mapping import JointMapper
 from rapidsim.motion.geometry.parameterisation import PathParameterisation
@@ -34,8 +35,7 @@ class Lines:
 
     arm: OrthoParallel
     layout: PathParameterisation
-    table: Array
-    """Shape (m, 24): one row per curve; its columns are named above."""
+    arms: JointMapper
     pieces: Mask
     """Shape (p,): mask of the pieces that are lines, or corners between two lines."""
     rows: Mask
@@ -142,7 +142,28 @@ class Lines:
     def _shapes(self) -> tuple[int, int]:
         return self.layout.shape, self.layout.turn_shape
 
-    @cached_property
+    @derived_value
+    def table(self) -> Array:
+        """Shape (m, 24): one row per curve; its columns are named above."""
+        curves, arms = self.layout.curves, self.arms
+        base = self.arm.base_from_opw.inverse()
+        tcp_from_opw6 = arms.tcp_from_flange @ self.arm.opw6_from_flange.inverse()
+        start = base @ curves.start
+        scale = 1.0 / np.maximum(curves.length, STANDSTILL)[:, None]
+        table = np.empty((len(self.rows), 24))
+        table[:, _POSITION] = start.translation
+        table[:, _RATE] = rotate(base.rotation, curves.chord * scale)
+        table[:, _TURN_RATE] = rotate(base.rotation, curves.tool_turn * scale)
+        table[:, _ROTATION] = (start.rotation @ tcp_from_opw6.rotation).reshape(-1, 9)
+        # From the TCP to the wrist centre, expressed in the last frame of the formulas.
+        table[:, _LEVER] = rotate(
+            np.swapaxes(tcp_from_opw6.rotation, -1, -2), tcp_from_opw6.translation
+        )
+        for column, bit in zip(range(_ARM.start, _ARM.stop), (4, 2, 1), strict=True):
+            table[:, column] = np.where(arms.branch & bit, -1.0, 1.0)
+        return table
+
+    @property
     def _course(self) -> line_loops.CurveColumns:
         layout = self.layout
         return (
@@ -208,21 +229,6 @@ def lines_of(layout: PathParameterisation, arms: JointMapper) -> Lines | None:
         in_line[cut] &= plain[corner[cut]] & plain[corner[cut] + 1]
     if not in_line.any():
         return None
-    base = arm.base_from_opw.inverse()
-    tcp_from_opw6 = arms.tcp_from_flange @ arm.opw6_from_flange.inverse()
-    start = base @ curves.start
-    scale = 1.0 / np.maximum(curves.length, STANDSTILL)[:, None]
-    table = np.empty((len(plain), 24))
-    table[:, _POSITION] = start.translation
-    table[:, _RATE] = rotate(base.rotation, curves.chord * scale)
-    table[:, _TURN_RATE] = rotate(base.rotation, curves.tool_turn * scale)
-    table[:, _ROTATION] = (start.rotation @ tcp_from_opw6.rotation).reshape(-1, 9)
-    # From the TCP to the wrist centre, expressed in the last frame of the formulas.
-    table[:, _LEVER] = rotate(
-        np.swapaxes(tcp_from_opw6.rotation, -1, -2), tcp_from_opw6.translation
-    )
-    for column, bit in zip(range(_ARM.start, _ARM.stop), (4, 2, 1), strict=True):
-        table[:, column] = np.where(arms.branch & bit, -1.0, 1.0)
     corners = layout.corners
     turns_in_corners = corners.orientation_radius.any()
     same = not turns_in_corners or (
@@ -230,7 +236,7 @@ def lines_of(layout: PathParameterisation, arms: JointMapper) -> Lines | None:
         and np.array_equal(layout.position_corner, layout.orientation_corner)
         and np.array_equal(corners.radius, corners.orientation_radius)
     )
-    return Lines(arm, layout, table, in_line, plain, same)
+    return Lines(arm, layout, arms, in_line, plain, same)
 
 
 def _columns(table: Array, index: Index) -> tuple[Any, ...]:

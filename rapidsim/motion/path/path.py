@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import dataclasses
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -15,6 +16,7 @@ import numpy as np
 
 from rapidsim.frames.moving_frames import ExternalCourse
 from rapidsim.frames.transform import Array, Transform
+from rapidsim.motion.derived_values import derived_value
 from rapidsim.motion.geometry.blends import (
     Corner,
     Limit,
@@ -28,7 +30,7 @@ from rapidsim.motion.geometry.segments import Segment
 from rapidsim.motion.kinematics.arm import Kinematics
 from rapidsim.motion.kinematics.unwrapping import in_turn_of
 from rapidsim.motion.model import MotionModel
-from rapidsim.motion.path.along_curves import Nodes
+from rapidsim.motion.path.along_curves import NodeJoints
 from rapidsim.motion.path.belt_offsets import BeltOffsets, belt_offsets
 from rapidsim.motion.path.joints_on_path import JointsOnPath, in_joint_space, joints_at_corners
 from rapidsim.motion.path.line_derivatives import Lines
@@ -52,13 +54,13 @@ _GAUSS_PLACES, _GAUSS_WEIGHTS = np.polynomial.legendre.leggauss(8)
 class Path:
     """A sequence of segments with their corners, ready to be timed and evaluated."""
 
-    segments: tuple[Segment, ...]
+    segments: Sequence[Segment]
     kinematics: Kinematics
     layout: PathParameterisation
     arms: JointMapper
     active: Index
     """Shape (m,): index in `segments` of each curve; segments without length have none."""
-    nodes: Nodes
+    nodes: NodeJoints
     """Joints along the Cartesian curves, which determine whole turns."""
     model: MotionModel
     lines: Lines | None
@@ -90,14 +92,14 @@ class Path:
         """Limits requested by each segment."""
         return programmed_of(self.segments)
 
-    @cached_property
+    @derived_value
     def segment_starts(self) -> Array:
         """Parameters s (segments,) at the middle of the corner before each segment, first 0."""
         lengths = np.zeros(len(self.segments))
         lengths[self.active] = self.layout.curves.length
         return np.concatenate([[0.0], np.cumsum(lengths)[:-1]])
 
-    @cached_property
+    @derived_value
     def segment_bounds(self) -> Array:
         """`segment_starts`, followed by the end of the path: s (segments + 1,)."""
         return np.append(self.segment_starts, self.length)
@@ -109,7 +111,7 @@ class Path:
             return None
         return belt_offsets(self.segments, self.segment_bounds)
 
-    @cached_property
+    @derived_value
     def lengths(self) -> Array:
         """TCP travel (segments,) [m] along the programmed curves, before corners cut them."""
         travel = np.zeros(len(self.segments))
@@ -159,7 +161,7 @@ class Path:
         stops: Array = places[sharp[kinked]]
         return stops
 
-    @cached_property
+    @derived_value
     def corners(self) -> tuple[Corner, ...]:
         """Planned corner at the end of each segment."""
         stop = Corner(0.0, in_joints=False, stops=True, reason=describe_stop(Limit.STOP_POINT))
@@ -180,7 +182,7 @@ class Path:
             np.isin(self.layout.places[1:-1], self.stops).tolist(),
             strict=True,
         )
-        limits = tuple(Limit)
+        limits, texts = tuple(Limit), dict[str, str]()
         for i, radius, turned, limit, in_joints, bridges, turns_only, turn, stops in rows:
             zone = self.segments[i].zone
             if zone is not None:
@@ -193,6 +195,8 @@ class Path:
                 if turns_only and not stops and turn > STANDSTILL:
                     # There the path parameter is not a length.
                     reason = f"within {math.degrees(turn):.3g} deg of the end"
+                # Many corners have the same reason, whose text is shared.
+                reason = texts.setdefault(reason, reason)
                 found[i] = Corner(0.0 if turns_only else radius, in_joints, stops, reason)
         return tuple(found)
 
@@ -206,12 +210,12 @@ class Path:
         """Widths [s] of the smoothing window, ascending: one, or a few while it widens."""
         return widths_of(self.segments, self.model.window)
 
-    @cached_property
+    @derived_value
     def ramp_windows(self) -> Array:
         """Widths (segments,) [s] of the windows over which ramps average the speed; 0 if none."""
         return np.array([ramp_window(one.ramp, self.model.window) for one in self.segments])
 
-    @cached_property
+    @derived_value
     def zone_radius(self) -> Array:
         """Radius (p,) [m] of the zone that contains each piece; 0 outside zones."""
         layout = self.layout
@@ -228,7 +232,7 @@ class Path:
         """Radius (p,) of the zone that contains each piece, in units of s."""
         return self.zone_radius
 
-    @cached_property
+    @derived_value
     def zone_speed(self) -> Array:
         """Maximum speed (p,) [m/s] of the command: a zone takes at least an interpolation cycle.
 
@@ -243,7 +247,7 @@ class Path:
             fastest[within] = 2.0 * layout.corners.radius[corner[within]] / self.model.cycle
         return fastest
 
-    @cached_property
+    @derived_value
     def acceleration_share(self) -> Array:
         """Share (p,) of the axis accelerations that is available on each piece."""
         programmed = self.programmed.acceleration_share
@@ -387,7 +391,7 @@ class Path:
         part: Array = whole[piece] + self._travel(start, s, piece)
         return part
 
-    @cached_property
+    @derived_value
     def _piece_travel(self) -> Array:
         bounds = self.layout.bounds
         return self._travel(bounds[:-1], bounds[1:], np.arange(len(bounds) - 1))

@@ -8,6 +8,7 @@ import numpy as np
 
 from rapidsim.frames.transform import Array
 from rapidsim.motion.geometry.segments import Segment
+from rapidsim.repeated_rows import shared_row
 from rapidsim.values import value_class
 
 _WIDTHS = 4
@@ -33,6 +34,10 @@ class SegmentLimits:
     load: Array
     """Shape (m,): load at the wrist, as a share of the rated payload."""
 
+    def __len__(self) -> int:
+        """Return the number of segments."""
+        return len(self.tcp)
+
 
 def programmed_of(segments: Sequence[Segment]) -> SegmentLimits:
     """Return the limits of one or more segments."""
@@ -49,7 +54,7 @@ def programmed_of(segments: Sequence[Segment]) -> SegmentLimits:
             for segment in segments
         ]
     )
-    tcp, reorientation, share, along, world, load = np.ascontiguousarray(columns.T)
+    tcp, reorientation, share, along, world, load = map(shared_row, np.ascontiguousarray(columns.T))
     external = np.array([segment.external_speeds for segment in segments], dtype=np.float64)
     return SegmentLimits(tcp, reorientation, external, share, along, world, load)
 

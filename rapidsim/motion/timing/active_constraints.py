@@ -23,7 +23,7 @@ from rapidsim.motion.timing.problem import HELD_BEND, Problem
 from rapidsim.motion.timing.smoothed_speed_limits import deciding_points
 from rapidsim.motion.timing.stages import fastest, rows_along, weights_of
 from rapidsim.motion.timing.time_optimal import StageMotion
-from rapidsim.motion.timing.time_scaling import TimeScaling
+from rapidsim.motion.timing.time_scaling import Numbers, TimeScaling
 
 _FULL = 1e-4
 """Share of a limit by which a row at its limit may be below it."""
@@ -35,7 +35,7 @@ _FURTHER = (Limiter(Quantity.CYCLE), Limiter(Quantity.CORNER), Limiter(Quantity.
 _CYCLE, _CORNER, _RAMP = range(-3, 0)
 
 
-def active_limits(problem: Problem, motion: StageMotion) -> tuple[tuple[Limiter, ...], Index]:
+def active_limits(problem: Problem, motion: StageMotion) -> tuple[tuple[Limiter, ...], Numbers]:
     """Return limits, and the index (m,) of the active one among them in each stage of a motion."""
     path, stages = problem.path, motion.stages
     kinds = (*problem.speeds.limiters, *problem.accelerations.limiters, *_FURTHER)
@@ -60,7 +60,7 @@ def active_limits(problem: Problem, motion: StageMotion) -> tuple[tuple[Limiter,
     for case in cases.tolist():
         setter, kind = divmod(case, len(kinds))
         limiters.append(replace(kinds[kind], robot=setter - 1) if setter else kinds[kind])
-    return tuple(limiters), active.astype(np.int64)
+    return tuple(limiters), active.astype(np.int16)
 
 
 def limiters_of_segments(path: Path, timing: TimeScaling) -> tuple[Limiter, ...]:

@@ -60,7 +60,7 @@ def stop_at(
     # Near the end of the interval, the interval itself makes the arm brake.
     if nodes[-1] > timing.s_at(time_s + 0.5 * _AFTER_S) and after_s < timing.duration:
         nodes, x = _braked(path, limits, s, speed, hardest, (0.0, path.length))
-    active = np.zeros(len(nodes) - 1, dtype=np.int64)
+    active = np.zeros(len(nodes) - 1, dtype=np.int16)
     return TimeScaling(nodes, np.sqrt(x), 0.0, (Limiter(Quantity.STOP),), active)
 
 

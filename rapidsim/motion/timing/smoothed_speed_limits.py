@@ -64,6 +64,8 @@ def held_speeds(places: Array, speeds: Array, needed: Mask, window: float) -> Ar
 def deciding_points(places: Array, speeds: Array, wanted: Index, window: float) -> Index:
     """Return the point (j,) whose line bounds the command most at each wanted point (j,).
 
+    Of equal bounds, that of the point itself decides, then that of the first.
+
     Args:
         places: Shape (k,) [m], ascending.
         speeds: Shape (k,) [m/s]: maximum speeds of the arm there.
@@ -71,16 +73,26 @@ def deciding_points(places: Array, speeds: Array, wanted: Index, window: float) 
         window: The filter time [s].
     """
     slopes, first, after = _lines(places, speeds, np.arange(len(places)), window)
-    lowest, deciding = speeds[wanted], wanted.copy()
-    # Few points are wanted, and only lines that reach one of them count.
-    for line, other in _pairs(*(np.searchsorted(wanted, end) for end in (first, after))):
+    level, sloped = np.flatnonzero(slopes == 0.0), np.flatnonzero(slopes)
+    # A level line has one value, so that its number in order of these decides everywhere.
+    level = level[np.argsort(speeds[level], kind="stable")]
+    numbers = np.arange(float(len(level)))
+    order = lowest_over(first[level], after[level], numbers, len(places))[wanted]
+    covered = np.isfinite(order)
+    deciding, lowest = wanted.copy(), np.full(len(wanted), np.inf)
+    deciding[covered] = level[order[covered].astype(np.int64)]
+    lowest[covered] = speeds[deciding[covered]]
+    ends = (np.searchsorted(wanted, end[sloped]) for end in (first, after))
+    for number, other in _pairs(*ends):
+        line = sloped[number]
         values = speeds[line] + slopes[line] * (places[wanted[other]] - places[line])
         before = lowest.copy()
         np.minimum.at(lowest, other, values)
+        is_first = (values < before[other]) | (line < deciding[other])
         # Of equal lines the first one counts: it is written last.
-        least = np.flatnonzero((values == lowest[other]) & (values < before[other]))[::-1]
+        least = np.flatnonzero((values == lowest[other]) & is_first)[::-1]
         deciding[other[least]] = line[least]
-    return deciding
+    return np.where(lowest < speeds[wanted], deciding, wanted)
 
 
 def _lines(places: Array, speeds: Array, at: Index, window: float) -> tuple[Array, Index, Index]:
@@ -145,7 +157,7 @@ def _pairs(first: Index, after: Index) -> Iterator[tuple[Index, Index]]:
     """Yield, in batches, pairs of the number of a span and a point in it, for spans (j,)."""
     size = after - first
     ends = np.cumsum(size)
-    cuts = np.searchsorted(ends, np.arange(_PAIRS, ends[-1], _PAIRS))
+    cuts = np.searchsorted(ends, np.arange(_PAIRS, size.sum(), _PAIRS))
     for part in np.split(np.arange(len(first)), cuts):
         count = size[part]
         line = np.repeat(part, count)

@@ -8,11 +8,16 @@ from itertools import pairwise
 from typing import overload
 
 import numpy as np
+import numpy.typing as npt
 
 from rapidsim.frames.transform import Array
+from rapidsim.motion.derived_values import derived_value
 from rapidsim.motion.geometry.curves import Index
 from rapidsim.motion.path.path import Path
 from rapidsim.motion.timing.constraints import Limiter
+
+Numbers = npt.NDArray[np.int16]
+"""Indices of limits, of which there are few."""
 
 _COUNTED_S = 1.0
 """Interval [s] after which integrals of a motion restart, so that they keep their digits."""
@@ -31,19 +36,19 @@ class TimeScaling:
     Up to 1 % of the speed results from other nodes than those of the previous plan."""
     limiters: tuple[Limiter, ...] = ()
     """Limits that are active in some cell."""
-    active: Index | None = None
+    active: Numbers | None = None
     """Index (k - 1,) of the active limit in each cell among `limiters`; None if unknown."""
     standing: Array | None = None
     """Time [s] at rest in each cell (k - 1,): at stops within the path, which are cells of zero
     width. None if there are none."""
 
-    @cached_property
+    @derived_value
     def acceleration(self) -> Array:
         """Path acceleration in each cell, shape (k - 1,) [m/s2]."""
         change: Array = np.diff(self.speed**2) / np.maximum(2.0 * np.diff(self.s), 1e-300)
         return change
 
-    @cached_property
+    @derived_value
     def times(self) -> Array:
         """Time at the nodes, shape (k,) [s]."""
         pace = self.speed[1:] + self.speed[:-1]
@@ -134,7 +139,7 @@ class TimeScaling:
         mean = self.s[0] + (integral - sum_before) / window
         return mean, (place - old) / window
 
-    @cached_property
+    @derived_value
     def integrals(self) -> Array:
         """Integral of s - s[0] from time 0 to the nodes, shape (k,) [m s]."""
         step = np.diff(self.times)
@@ -148,7 +153,7 @@ class TimeScaling:
         period = np.floor(self.times[:-1] / _COUNTED_S)
         return np.flatnonzero(np.diff(period, prepend=-1.0))
 
-    @cached_property
+    @derived_value
     def since_marks(self) -> Array:
         """Distance [m], its integral [m s] and double integral [m s2] since the last mark, (3, k).
 

@@ -20,10 +20,9 @@ from __future__ import annotations
 import numpy as np
 
 from rapidsim.frames.transform import Array
-from rapidsim.motion.geometry.curves import Index
 from rapidsim.motion.path.segment_columns import ramp_window
 from rapidsim.motion.timing.constraints import Limiter, Quantity
-from rapidsim.motion.timing.time_scaling import TimeScaling
+from rapidsim.motion.timing.time_scaling import Numbers, TimeScaling
 from rapidsim.motion.trajectory.command import MotionCommand, Piece
 from rapidsim.motion.trajectory.filter_windows import Windows
 from rapidsim.motion.trajectory.zero_crossings import first_crossing
@@ -235,7 +234,7 @@ class RampedCommand:
         return places, np.maximum(np.where(closed, now, speed), 0.0)
 
 
-def _active(planned: TimeScaling, s: Array, speeds: Array) -> Index | None:
+def _active(planned: TimeScaling, s: Array, speeds: Array) -> Numbers | None:
     """Return the active limit (k,) at positions (k,) [m] that are passed at speeds (k,) [m/s].
 
     It is the planned one, or the ramp, after these: where the ramp adds most of the time, or where
@@ -247,4 +246,4 @@ def _active(planned: TimeScaling, s: Array, speeds: Array) -> Index | None:
     active = planned.active[cell]
     least = np.array([_ADDED if one.is_acceleration else _REACHED for one in planned.limiters])
     slow = speeds < least[active] * planned.speed_at(planned.time_at(s))
-    return np.where(slow, len(planned.limiters), active)
+    return np.where(slow, np.int16(len(planned.limiters)), active)

@@ -128,9 +128,7 @@ def _load(simulation: Simulation) -> str | None:
     """Note on the modelled effect of loads; None if none adds to the inertia of an arm."""
     for one in simulation.robots:
         if torques_of(one.robot, simulation.model) and any(
-            segment.load > _LIGHT_LOAD
-            for piece in one.trajectory.pieces
-            for segment in piece.path.segments
+            (piece.path.programmed.load > _LIGHT_LOAD).any() for piece in one.trajectory.pieces
         ):
             return "the load is assumed to be a point mass at the wrist"
     return None

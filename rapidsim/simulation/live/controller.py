@@ -20,6 +20,7 @@ from rapidsim.controller.cell.rendezvous import RendezvousTable
 from rapidsim.controller.cell.sensors import GuidanceSensors, NoSensors
 from rapidsim.controller.journal.events import Event, EventKind
 from rapidsim.controller.journal.journal import Instant, Journal, Moment
+from rapidsim.controller.queue.motion_queue import REMEMBERED_S
 from rapidsim.diagnostics import Diagnostic
 from rapidsim.files import InputError
 from rapidsim.interpreter.runtime.shared_persistents import SharedPersistents, shared_persistents
@@ -51,8 +52,6 @@ from rapidsim.simulation.shared_access import ScheduledAccess
 from rapidsim.simulation.task_run import TaskSetup, require_limits, unit_of
 
 _SCREEN_LINES = 100
-_REMEMBERED_S = 10.0
-"""Motion history [s] kept of a robot: more than any reader, or smoothing, needs."""
 
 
 def _ignore(entry: LogEntry | Event | Diagnostic) -> None:
@@ -197,9 +196,9 @@ class LiveController:
             self._act()
             stepped = True
         if not self.keeps_all and self.now_s >= self._forgets_s:
-            self._forgets_s = self.now_s + _REMEMBERED_S
+            self._forgets_s = self.now_s + REMEMBERED_S
             for task in self.tasks.values():
-                task.forget(self.now_s - _REMEMBERED_S)
+                task.forget(self.now_s - REMEMBERED_S)
         events = self._journal.take()
         if self.keeps_all:
             self._events.extend(events)

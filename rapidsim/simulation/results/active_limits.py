@@ -93,7 +93,10 @@ def active_limits(simulation: Simulation, robot_run: RobotRun) -> ActiveLimits:
             team = teams[id(piece.path), piece.first]
             active = timing.active[first:after]
             kinds = len(timing.limiters)
-            cases, case = np.unique(segment * kinds + active, return_inverse=True)
+            # The limits of a robot alone have the same names on all segments.
+            is_alone = len(team) == 1 and piece.path.belts is None
+            of_segment = active if is_alone else segment * kinds + active
+            cases, case = np.unique(of_segment, return_inverse=True)
             found = []
             for number, kind in (divmod(each, kinds) for each in cases.tolist()):
                 limit = _limit(timing.limiters[kind], number, robot_run, team)

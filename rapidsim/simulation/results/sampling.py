@@ -82,12 +82,12 @@ class SampledRun:
     @property
     def _loads(self) -> Array:
         """Load on the wrist (k,), in shares of the rated payload."""
-        of_move = {
-            number: segment.load
-            for piece in self.robot_run.trajectory.pieces
-            for number, segment in piece.numbered
-        }
-        return np.array([of_move.get(move, 0.0) for move in self.samples.move.tolist()])
+        pieces = self.robot_run.trajectory.pieces
+        ends = [piece.first + len(piece.path.segments) for piece in pieces]
+        loads = np.zeros(max([*ends, int(self.samples.move.max(initial=0)) + 1]))
+        for piece, end in zip(pieces, ends, strict=True):
+            loads[piece.first : end] = piece.path.programmed.load
+        return loads[self.samples.move]
 
 
 def sampled(
