@@ -128,6 +128,7 @@ def test_axes_and_base_follow_from_the_joints(folder: Path) -> None:
     np.testing.assert_allclose(directions, [[1, 0, 0], [0, -1, 0], [0, 0, -1]], atol=1e-5)
     assert [(axis.lower, axis.upper) for axis in axes] == [(0, 9), (-4, 0), (-3, -1)]
     assert [axis.max_speed for axis in axes] == [2, 1, 1]
+    assert [axis.start for axis in axes] == [0, 0, -1]
     # The robot hangs: its z axis points down, 0.6 m below the zero of axis 3.
     np.testing.assert_allclose(robot.world_from_base.rotation, np.diag([1, -1, -1]), atol=1e-5)
     np.testing.assert_allclose(robot.world_from_base.translation, [1, 0, -0.6], atol=1e-5)

@@ -34,6 +34,11 @@ class AxisDrive:
     max_speed: float
     max_acceleration: float
 
+    @property
+    def start(self) -> float:
+        """Position before the first move: zero, or the nearest one in the range."""
+        return min(max(0.0, self.lower), self.upper)
+
 
 def by_name(motion: Configuration) -> Named:
     """Return the instances of each type by their names."""

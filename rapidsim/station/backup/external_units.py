@@ -141,6 +141,7 @@ def _axis(unit: str, name: str, named: Named, *, carries_robot: bool) -> Externa
         upper=drive.upper,
         max_speed=drive.max_speed,
         max_acceleration=drive.max_acceleration,
+        start=drive.start,
         carries=("robot" if carries_robot else None) if linear else "wobj",
         direction=tuple(frame.rotation[:, 0 if linear else 2].tolist()),
         world_from_user=frame,

@@ -72,6 +72,7 @@ def _gantry(unit: str, robot: Instance, named: Named) -> Gantry | None:
                 upper=drive.upper,
                 max_speed=drive.max_speed,
                 max_acceleration=drive.max_acceleration,
+                start=drive.start,
                 carries="robot",
                 direction=tuple(frame.rotation[:, 2].tolist()),
             )
