@@ -1,0 +1,110 @@
+"""The words of clients: each has its effect, and others are refused."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import pytest
+from every_route import act, stopped, switched_on
+
+from rapidsim.server.engine import Engine
+from rapidsim.server.messages import ChangeEvent, Notification, Request, Subscribe
+
+
+@pytest.fixture(scope="module")
+def switched(
+    tmp_path_factory: pytest.TempPathFactory,
+) -> Iterator[tuple[Engine, list[Notification]]]:
+    with switched_on(tmp_path_factory.mktemp("words")) as found:
+        yield found
+
+
+@pytest.mark.parametrize(
+    ("path", "action", "form", "shown", "value"),
+    [
+        ("panel/opmode", "setopmode", {"opmode": "man"}, "panel/opmode", "MANR"),
+        ("panel/opmode", "setopmode", {"opmode": "manfs"}, "panel/opmode", "MANF"),
+        ("panel/opmode", "setopmode", {"opmode": "manr"}, "panel/opmode", "MANR"),
+        ("panel/opmode", "setopmode", {"opmode": "auto"}, "panel/opmode", "AUTO"),
+        (
+            "panel/ctrlstate",
+            "setctrlstate",
+            {"ctrl_state": "motoron"},
+            "panel/ctrlstate",
+            "motoron",
+        ),
+        (
+            "panel",
+            "emergencystop",
+            {"emergency_stop": "pressed"},
+            "panel/ctrlstate",
+            "emergencystop",
+        ),
+        (
+            *("panel", "emergencystop", {"emergency_stop": "released"}),
+            *("panel/ctrlstate", "emergencystopreset"),
+        ),
+        (
+            "panel/ctrlstate",
+            "setctrlstate",
+            {"ctrl_state": "motoroff"},
+            "panel/ctrlstate",
+            "motoroff",
+        ),
+        ("rapid/execution", "setcycle", {"cycle": "once"}, "rapid/execution", "once"),
+        ("rapid/execution", "setcycle", {"cycle": "forever"}, "rapid/execution", "forever"),
+    ],
+)
+def test_a_word_has_its_effect(
+    switched: tuple[Engine, list[Notification]],
+    path: str,
+    action: str,
+    form: dict[str, str],
+    shown: str,
+    value: str,
+) -> None:
+    engine, _ = switched
+    act(engine.reply, f"/rw/{path}", action, **form)
+    reply = engine.reply(Request("GET", f"/rw/{shown}"))
+    assert value in reply.items[0].fields.values()  # type: ignore[union-attr]
+
+
+def test_the_mastership_of_edit_is_that_of_programs_and_configuration(
+    switched: tuple[Engine, list[Notification]],
+) -> None:
+    engine, _ = switched
+
+    def ask(path: str, session: int, generation: int, action: str = "", **form: str) -> int:
+        query = {"action": action} if action else {}
+        return engine.reply(Request("POST", path, query, form, session, generation)).status
+
+    for domain, also in (("edit", ("cfg", "rapid")), ("motion", ("motion",))):
+        assert ask(f"/rw/mastership/{domain}/request", 1, 2) == 204
+        for one in ("cfg", "motion", "rapid"):
+            status = ask(f"/rw/mastership/{one}", 2, 1, "request")
+            assert status == (403 if one in also else 204)
+            ask(f"/rw/mastership/{one}", 2, 1, "release")
+        assert ask(f"/rw/mastership/{domain}/release", 1, 2) == 204
+
+
+def test_states_that_are_subscribed_to_have_events_of_their_own_class(
+    switched: tuple[Engine, list[Notification]],
+) -> None:
+    engine, told = switched
+    stopped(engine.reply)
+    expected = {
+        "/rw/panel/ctrlstate;ctrlstate": ("pnl-ctrlstate-ev", "ctrlstate"),
+        "/rw/panel/ctrl-state;ctrlstate": ("pnl-ctrlstate-ev", "ctrlstate"),
+        "/rw/panel/ctrl-state": ("pnl-ctrlstate-ev", "ctrlstate"),
+        "/rw/panel/opmode;opmode": ("pnl-opmode-ev", "opmode"),
+        "/rw/panel/speedratio;speedratio": ("pnl-speedratio-ev", "speedratio"),
+        "/rw/panel/coldetstate;coldetstate": ("pnl-coldetstate-ev", "coldetstate"),
+        "/rw/rapid/execution;ctrlexecstate": ("rap-ctrlexecstate-ev", "ctrlexecstate"),
+        "/rw/rapid/execution;rapidexeccycle": ("rap-execcycle-ev", "cycle"),
+        "/rw/rapid/symbol/data/RAPID/T_ROB1/k;value": ("rap-value-ev", "value"),
+        "/rw/iosystem/signals/diGo;state": ("ios-signalstate-ev", "lvalue"),
+    }
+    told.clear()
+    engine.reply(Subscribe(tuple(expected), 1, 1, (1,) * len(expected)))
+    events = {one.resource: one.items[0] for one in told if isinstance(one, ChangeEvent)}
+    assert {key: (one.kind, next(iter(one.fields))) for key, one in events.items()} == expected
