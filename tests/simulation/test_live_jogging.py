@@ -150,7 +150,7 @@ def test_a_released_button_halts_the_robot_on_its_line() -> None:
     jog(live.controller, task, JogFrame.JOINTS, 4, 30.0)
     live.after(5.0)
     before, began_s = position_snapshot(task).target, live.controller.now_s
-    jog(live.controller, task, JogFrame.BASE, 1, 200.0, is_held=True)
+    jog(live.controller, task, JogFrame.BASE, 1, 200.0, is_pressed=True)
     live.after(0.4)
     released = position_snapshot(task).target
     task.halt_jogging()
@@ -175,13 +175,13 @@ def test_a_released_button_halts_the_robot_on_its_line() -> None:
 def test_a_held_button_moves_as_far_as_the_arm_can_and_an_emergency_stop_ends_it() -> None:
     live, task = manual()
     for _ in range(20):
-        jog(live.controller, task, JogFrame.JOINTS, 0, 30.0, is_held=True)
+        jog(live.controller, task, JogFrame.JOINTS, 0, 30.0, is_pressed=True)
         live.after(5.0)
         if joints(task)[0] > 179.0:
             break
     with pytest.raises(RequestRefused):
-        jog(live.controller, task, JogFrame.JOINTS, 0, 30.0, is_held=True)
-    jog(live.controller, task, JogFrame.JOINTS, 0, -30.0, is_held=True)
+        jog(live.controller, task, JogFrame.JOINTS, 0, 30.0, is_pressed=True)
+    jog(live.controller, task, JogFrame.JOINTS, 0, -30.0, is_pressed=True)
     live.after(0.3)
     live.controller.panel.press_emergency_stop(is_pressed=True)
     pressed = joints(task)[0]

@@ -26,8 +26,8 @@ def jog(context: RequestContext, request: Request) -> Answer:
     frame = chosen(form, "frame", JogFrame)
     axis, distance = count(form, "axis", 1) - 1, number(form, "by")
     if distance:
-        is_held = form.get("held") == "1"
-        jogging.jog(context.live, task, frame, axis, distance, is_held=is_held)
+        is_pressed = form.get("held") == "1"
+        jogging.jog(context.live, task, frame, axis, distance, is_pressed=is_pressed)
     else:
         task.halt_jogging()
     return DONE

@@ -83,7 +83,7 @@ def jog(
     axis: int,
     distance: float,
     *,
-    is_held: bool = False,
+    is_pressed: bool = False,
 ) -> None:
     """Jog a robot by a step, after those that it still makes.
 
@@ -93,7 +93,7 @@ def jog(
         frame: Along whose axes.
         axis: Axis of the arm; or x, y, z, rx, ry, rz of the frame, from 0.
         distance: [deg, mm]
-        is_held: Whether a button is held: the step may be shorter, and does not follow another.
+        is_pressed: Whether a button is held: the step may be shorter, and does not follow another.
 
     Raises:
         RequestRefused: If the robot cannot be jogged, or not so far.
@@ -102,12 +102,12 @@ def jog(
     if reason is not None:
         raise RequestRefused(RefusalReason.STATE, reason)
     start_s = max(live.now_s, task.unit.member.trajectory.duration)
-    if is_held and start_s > live.now_s:
+    if is_pressed and start_s > live.now_s:
         return
     arm = jog_arm(task)
     step = step_of(task, arm, frame, axis, distance)
     reason = arm.reason_against(step)
-    if is_held and reason is not None:
+    if is_pressed and reason is not None:
         step = _longest(arm, step)
         reason = arm.reason_against(step) if step.distance else reason
     if reason is not None:
