@@ -6,6 +6,7 @@
 from __future__ import annotations
 
 import os
+import pickle
 import re
 from collections.abc import Iterable, Iterator
 from pathlib import Path
@@ -104,6 +105,8 @@ def _shown(reply: Reply, show: object, address: str) -> str:
     if isinstance(reply, ErrorAnswer):
         return f"{reply.status} {reply.code} {reply.message}"
     assert isinstance(reply, Answer)
+    # It passes between the processes.
+    assert pickle.loads(pickle.dumps(reply)) == reply
     assert callable(show)
     if reply.content is not None:
         return f"{reply.status} {reply.content!r}"
