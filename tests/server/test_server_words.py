@@ -69,6 +69,41 @@ def test_a_word_has_its_effect(
     assert value in reply.items[0].fields.values()  # type: ignore[union-attr]
 
 
+@pytest.mark.parametrize(
+    ("path", "action", "name", "done", "refused"),
+    [
+        ("panel", "restart", "restart-mode", ("restart", "pstart", "istart"), ("xstart", "")),
+        ("rapid/execution", "stop", "stopmode", ("cycle", "instr", "stop", "qstop"), ("now",)),
+        ("rapid/execution", "setcycle", "cycle", ("once", "forever"), ("twice",)),
+        ("panel/opmode", "setopmode", "opmode", ("manr", "AUTO"), ("coldet",)),
+    ],
+)
+def test_other_words_are_refused(
+    switched: tuple[Engine, list[Notification]],
+    path: str,
+    action: str,
+    name: str,
+    done: tuple[str, ...],
+    refused: tuple[str, ...],
+) -> None:
+    engine, _ = switched
+    for words, status in ((done, 204), (refused, 400)):
+        for word in words:
+            stopped(engine.reply)
+            request = Request("POST", f"/rw/{path}", {"action": action}, {name: word}, 1)
+            assert engine.reply(request).status == status, word
+
+
+def test_steps_backwards_are_refused(switched: tuple[Engine, list[Notification]]) -> None:
+    engine, _ = switched
+    for word in ("stepback", "steplast"):
+        stopped(engine.reply)
+        form = {"execmode": word}
+        reply = engine.reply(Request("POST", "/rw/rapid/execution", {"action": "start"}, form, 1))
+        assert reply.status == 400
+        assert word in str(reply)
+
+
 def test_the_mastership_of_edit_is_that_of_programs_and_configuration(
     switched: tuple[Engine, list[Notification]],
 ) -> None:
