@@ -104,6 +104,42 @@ def test_steps_backwards_are_refused(switched: tuple[Engine, list[Notification]]
         assert word in str(reply)
 
 
+def test_an_axis_is_jogged_as_far_as_said_or_until_it_is_released(
+    switched: tuple[Engine, list[Notification]],
+) -> None:
+    engine, _ = switched
+
+    def jog(**form: str) -> int:
+        where = "/rw/motionsystem"
+        return engine.reply(Request("POST", where, {"action": "jog"}, form, 1)).status
+
+    def joints(wait_s: float) -> list[float]:
+        engine.live.advance(engine.live.now_s + wait_s)
+        reply = engine.reply(Request("GET", "/rw/motionsystem/mechunits/ROB_1/jointtarget"))
+        fields = reply.items[0].fields  # type: ignore[union-attr]
+        return [float(fields[f"rax_{number}"]) for number in range(1, 7)]
+
+    stopped(engine.reply)
+    act(engine.reply, "/rw/panel/opmode", "setopmode", opmode="manr")
+    act(engine.reply, "/rw/panel/ctrlstate", "setctrlstate", ctrl_state="motoron")
+    before = joints(0.0)
+    assert jog(frame="joints", by="5") == 204
+    assert [a - b for a, b in zip(joints(5.0), before, strict=True)] == pytest.approx([5] + 5 * [0])
+    assert jog(frame="joints", axis="2", by="-5", mechunit="rob_1") == 204
+    assert joints(5.0)[1] == pytest.approx(before[1] - 5.0)
+    # Only a step of a button that is held may be shorter.
+    while (status := jog(frame="joints", axis="2", by="30")) == 204:
+        joints(5.0)
+    assert (status, jog(frame="joints", axis="2", by="30", held="1")) == (400, 204)
+    furthest = joints(5.0)[1]
+    assert jog(frame="joints", axis="2", by="-30", held="1") == 204
+    assert furthest - 10.0 < joints(0.3)[1] < furthest
+    assert jog(frame="joints", by="0") == 204
+    halted = joints(0.5)[1]
+    assert furthest - 20.0 < halted < furthest
+    assert joints(5.0)[1] == halted
+
+
 def test_the_mastership_of_edit_is_that_of_programs_and_configuration(
     switched: tuple[Engine, list[Notification]],
 ) -> None:
