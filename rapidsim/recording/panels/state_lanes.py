@@ -147,11 +147,14 @@ def _move_states(
 ) -> tuple[_States, dict[str, palette.Colour]]:
     """Return the move lane: moves, and rest in between."""
     columns = moves.columns
-    programmed = columns.moves
-    both = zip(programmed, columns.places, strict=True)
-    names = [f"{move.instruction} {target_name(place)}".rstrip() for move, place in both]
-    if len(set(names)) > _MOST_STATES:
-        names = [move.instruction for move in programmed]
+    programmed = columns.templates
+    names, distinct = [], set[str]()
+    for move, place in zip(programmed, columns.places, strict=True):
+        names.append(f"{move.instruction} {target_name(place)}".rstrip())
+        distinct.add(names[-1])
+        if len(distinct) > _MOST_STATES:
+            names = [move.instruction for move in programmed]
+            break
     colours: dict[str, palette.Colour] = {_STANDSTILL: palette.STANDSTILL}
     states: _States = []
     now_s = 0.0

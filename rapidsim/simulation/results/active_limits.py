@@ -151,7 +151,8 @@ def _limit(limiter: Limiter, segment: int, robot_run: RobotRun, team: _Team) -> 
     """Return the limit of a segment of a piece, from the point of view of one robot of a team."""
     text, axis = str(limiter), limiter.axis
     if any(
-        one is robot_run and piece.path.segments[segment].slowed_for_belt for one, piece in team
+        one is robot_run and piece.path.belts and piece.path.segments[segment].slowed_for_belt
+        for one, piece in team
     ):
         text = _BELT
     elif limiter.robot is not None:
