@@ -118,8 +118,8 @@ class BulkTargets:
         """Return a target."""
         if self._created is not None:
             return self._created[number]
-        row = self._rows.start + number
-        return next(targets_of(self._of.run.numbers[row : row + 1]))
+        values = self._of.run.numbers[self._rows.start + number].tolist()
+        return RobTarget._make(kind._make(values[part]) for part, kind in _PARTS)
 
     @property
     def starts(self) -> Offsets:
