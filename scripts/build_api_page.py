@@ -11,6 +11,8 @@ from collections.abc import Iterator
 from functools import cached_property
 from pathlib import Path
 
+from wrap_markdown import wrap
+
 import rapidsim
 from rapidsim.api.moves import MoveArrays, Moves
 from rapidsim.api.views import ArmMotion, ArmState, Datum, Edge, SignalHistory
@@ -78,7 +80,7 @@ def page() -> str:
     parts.append("\n## What these return\n")
     for one in RETURNED:
         parts += _entry(one.__name__, one, "###")
-    return "\n".join(parts) + "\n"
+    return wrap("\n".join(parts) + "\n")
 
 
 def _entry(name: str, thing: object, level: str) -> Iterator[str]:

@@ -8,6 +8,7 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import click
+from wrap_markdown import wrap
 
 from rapidsim.cli.group import commands
 
@@ -32,7 +33,7 @@ def page() -> str:
         assert command is not None
         parts += _section(command, name, context, "##")
     parts += _index(context)
-    return "\n".join(parts) + "\n"
+    return wrap("\n".join(parts) + "\n")
 
 
 def _index(context: click.Context) -> Iterator[str]:

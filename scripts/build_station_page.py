@@ -14,6 +14,8 @@ from enum import Enum, EnumType
 from pathlib import Path
 from typing import Any, Literal, get_args, get_origin
 
+from wrap_markdown import wrap
+
 from rapidsim.collisions.geometry import Colour, IgnoredPair, Parent
 from rapidsim.controller.cell.conditions import Condition
 from rapidsim.controller.cell.conveyor_scripts import ConveyorScript
@@ -144,7 +146,7 @@ def page() -> str:
     parts.append("\n## Values that are tables")
     for table, heading in INNER.items():
         parts += _section(heading, table, "###")
-    return "\n".join(parts) + "\n"
+    return wrap("\n".join(parts) + "\n")
 
 
 def _section(heading: str, table: type, level: str = "##") -> Iterator[str]:

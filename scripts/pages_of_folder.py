@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Mapping
 from pathlib import Path
 
+from wrap_markdown import wrap
+
 DOCS = Path(__file__).parents[1] / "docs"
 
 
@@ -15,4 +17,4 @@ def write_pages(pages: Mapping[str, str], folder: str) -> None:
         if f"{folder}/{file.name}" not in pages:
             file.unlink()
     for name, text in pages.items():
-        (DOCS / name).write_text(text, encoding="utf-8", newline="\n")
+        (DOCS / name).write_text(wrap(text), encoding="utf-8", newline="\n")

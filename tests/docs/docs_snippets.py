@@ -84,6 +84,12 @@ def snippets(page: Path) -> Iterator[Snippet | Edit]:
         )
 
 
+def paragraphs(page: Path) -> list[str]:
+    """Paragraphs, items of lists and rows of tables, each as one line."""
+    parts = re.split(r"\n(?=\s*(?:[-*] |\d+\. |\||\n))", page.read_text(encoding="utf-8"))
+    return [" ".join(part.split()) for part in parts]
+
+
 def commands(text: str) -> Iterator[str]:
     """The lines of a block of commands; one that ends in a backslash goes on."""
     for line in text.replace("\\\n", " ").splitlines():

@@ -2,6 +2,8 @@
 
 from pathlib import Path
 
+from wrap_markdown import wrap
+
 from rapidsim.diagnostics import all_rules
 from rapidsim.report.pages.rules_page import FAMILIES, rules_pages
 
@@ -9,7 +11,7 @@ DOCS = Path(__file__).parents[2] / "docs"
 
 
 def test_the_pages_are_current() -> None:
-    pages = rules_pages(all_rules())
+    pages = {name: wrap(page) for name, page in rules_pages(all_rules()).items()}
     written = {"rules.md", *(f"rules/{file.name}" for file in (DOCS / "rules").iterdir())}
     message = "run `python scripts/build_rules_page.py`"
     assert {name: (DOCS / name).read_text("utf-8") for name in sorted(written)} == pages, message

@@ -35,7 +35,7 @@ def test_a_move_with_too_little_time_says_what_it_needs() -> None:
         - model_of(it.run.only.robot, it.run.model).window
     )
     told = re.fullmatch(
-        r"the move takes (\d\.\d{3}) s; `\\T` gives it 0\.2 s", found.violation.message
+        r"the move takes (\d\.\d{3}) s; `\\T` allows 0\.2 s", found.violation.message
     )
     assert told
     # What is told ends with the command, the record where the arm has come to rest.

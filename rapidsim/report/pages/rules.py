@@ -29,8 +29,8 @@ def explanation(rule: Rule) -> str:
 
 
 def first_line(rule: Rule) -> str:
-    """The first sentence of the explanation."""
-    return explanation(rule).partition("\n")[0]
+    """The first paragraph of the explanation, a sentence or two, as one line."""
+    return " ".join(explanation(rule).partition("\n\n")[0].split())
 
 
 def shown_programs(rule: Rule) -> dict[str, str]:
