@@ -5,7 +5,7 @@ the plan: both are found in turn, from plan to plan. The axis that stands for th
 each segment from its expected travel at the start to that at the end, so that the speeds and
 torques of the plan are those of an arm that moves with the belt. What is left, the arm follows by
 its offset (`motion.path.belt_offsets`); where that takes more speed or torque than the arm has, the
-moves are slowed down until it does not.
+moves are slowed down until it does not, or as long as that helps.
 """
 
 from __future__ import annotations
@@ -85,6 +85,7 @@ def plan_on_belt(
     rests = start.is_at_rest and start.time_s >= member.trajectory.duration
     travels, factors = _first_travels(segments, start.time_s, rests=rests), np.ones(len(segments))
     speeds: Array | None = None
+    best, least_used = None, np.inf
     plans = 0
     while True:
         plans += 1
@@ -105,8 +106,11 @@ def plan_on_belt(
         used = _used(member, segments, path, timing, start)
         if isinstance(used, PathFault):
             return used
+        # Lower limits on a move that the arm has begun too fast for them only add to the excess.
+        if best is None or used.max() < least_used:
+            best, least_used = planned, float(used.max())
         if used.max() <= 1.0 or plans >= _MOST_PLANS:
-            return path, timing
+            return best
         factors = factors * np.clip(_MARGIN / np.maximum(used, _MARGIN), _LEAST_FACTOR, 1.0)
 
 
