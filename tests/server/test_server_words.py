@@ -186,8 +186,9 @@ def test_the_clock_is_set_and_folders_and_backups_are_made(
 ) -> None:
     engine, told = switched
 
-    def ask(method: str, path: str, generation: int = 1, **form: str) -> Reply:
+    def ask(method: str, path: str, **form: str) -> Reply:
         fields = {key.replace("_", "-"): value for key, value in form.items()}
+        generation = 2 if path.endswith("/create") else 1
         return engine.reply(Request(method, path, {}, fields, 1, generation))
 
     parts = {"year": "2031", "month": "2", "day": "3", "hour": "4", "min": "5", "sec": "6"}
@@ -199,7 +200,7 @@ def test_the_clock_is_set_and_folders_and_backups_are_made(
     assert folder.status == 201
     home = engine.context.files.home
     assert (home / "new").is_dir()
-    assert ask("POST", "/ctrl/backup/create", 2, backup="$BACKUP/later").status == 202
+    assert ask("POST", "/ctrl/backup/create", backup="$BACKUP/later").status == 202
     assert (home / "BACKUP" / "later" / "RAPID" / "TASK1" / "PROGMOD" / "Tried.modx").is_file()
     # Domain 0 of the event log has the entries of all.
     engine.reply(Subscribe(("/rw/elog/0",), 2, 1, (1,)))
