@@ -181,6 +181,20 @@ def test_states_that_are_subscribed_to_have_events_of_their_own_class(
     assert {key: (one.kind, next(iter(one.fields))) for key, one in events.items()} == expected
 
 
+@pytest.mark.parametrize(
+    ("name", "kind", "word"),
+    [("n", "rap-sympropvar", "var"), ("k", "rap-symproppers", "per")]
+    + [("c", "rap-sympropconstant", "con")],
+)
+def test_each_storage_has_its_class(
+    switched: tuple[Engine, list[Notification]], name: str, kind: str, word: str
+) -> None:
+    engine, _ = switched
+    path = f"/rw/rapid/symbol/properties/RAPID/T_ROB1/Tried/{name}"
+    (item,) = engine.reply(Request("GET", path)).items  # type: ignore[union-attr]
+    assert (item.kind, item.fields["symtyp"]) == (kind, word)
+
+
 def test_the_clock_is_set_and_folders_and_backups_are_made(
     switched: tuple[Engine, list[Notification]],
 ) -> None:
