@@ -6,6 +6,7 @@ IRC5, are published with clients of Robot Web Services; only their shapes are he
 
 from __future__ import annotations
 
+import json
 import re
 from base64 import b64encode
 from pathlib import Path
@@ -280,6 +281,11 @@ async def _refusal(
         # The root stands alone: nothing is relative to a refused address.
         has_root = f'"{base}/"' in text
         assert (*found, has_root) == (row.status, content, True, True), (row, text)
+        if "json" in content:
+            shown = json.loads(re.sub(r'"msg": "[^"]*"', '"msg": ""', text))
+            status: dict[str, object] = {"status": {"code": row.code, "msg": ""}}
+            inside = status if content == HAL else {"_embedded": {**status, "_state": []}}
+            assert shown == {"_links": {"base": {"href": f"{base}/"}}, **inside}
 
 
 def test_recorded_answers(tmp_path: Path) -> None:

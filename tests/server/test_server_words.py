@@ -8,7 +8,7 @@ import pytest
 from every_route import act, stopped, switched_on
 
 from rapidsim.server.engine import Engine
-from rapidsim.server.messages import ChangeEvent, Notification, Request, Subscribe
+from rapidsim.server.messages import ChangeEvent, Notification, Reply, Request, Subscribe
 
 
 @pytest.fixture(scope="module")
@@ -179,3 +179,48 @@ def test_states_that_are_subscribed_to_have_events_of_their_own_class(
     engine.reply(Subscribe(tuple(expected), 1, 1, (1,) * len(expected)))
     events = {one.resource: one.items[0] for one in told if isinstance(one, ChangeEvent)}
     assert {key: (one.kind, next(iter(one.fields))) for key, one in events.items()} == expected
+
+
+@pytest.mark.parametrize(
+    ("name", "kind", "word"),
+    [("n", "rap-sympropvar", "var"), ("k", "rap-symproppers", "per")]
+    + [("c", "rap-sympropconstant", "con")],
+)
+def test_each_storage_has_its_class(
+    switched: tuple[Engine, list[Notification]], name: str, kind: str, word: str
+) -> None:
+    engine, _ = switched
+    path = f"/rw/rapid/symbol/properties/RAPID/T_ROB1/Tried/{name}"
+    (item,) = engine.reply(Request("GET", path)).items  # type: ignore[union-attr]
+    assert (item.kind, item.fields["symtyp"]) == (kind, word)
+
+
+def test_the_clock_is_set_and_folders_and_backups_are_made(
+    switched: tuple[Engine, list[Notification]],
+) -> None:
+    engine, told = switched
+
+    def ask(method: str, path: str, **form: str) -> Reply:
+        fields = {key.replace("_", "-"): value for key, value in form.items()}
+        generation = 2 if path.endswith("/create") else 1
+        return engine.reply(Request(method, path, {}, fields, 1, generation))
+
+    parts = {"year": "2031", "month": "2", "day": "3", "hour": "4", "min": "5", "sec": "6"}
+    clock = {f"sys_clock_{name}": part for name, part in parts.items()}
+    assert ask("PUT", "/ctrl/clock", **clock).status == 204
+    reply = ask("GET", "/ctrl/clock")
+    assert reply.items[0].fields == {"datetime": "2031-02-03 T 04:05:06"}  # type: ignore[union-attr]
+    folder = ask("POST", "/fileservice/$HOME", fs_action="create", fs_newname="new")
+    assert folder.status == 201
+    home = engine.context.files.home
+    assert (home / "new").is_dir()
+    assert ask("POST", "/ctrl/backup/create", backup="$BACKUP/later").status == 202
+    assert (home / "BACKUP" / "later" / "RAPID" / "TASK1" / "PROGMOD" / "Tried.modx").is_file()
+    # Domain 0 of the event log has the entries of all.
+    engine.reply(Subscribe(("/rw/elog/0",), 2, 1, (1,)))
+    told.clear()
+    for state in ("motoroff", "motoron"):
+        act(engine.reply, "/rw/panel/ctrlstate", "setctrlstate", ctrl_state=state)
+    assert "elog-message-ev" in [
+        one.items[0].kind for one in told if isinstance(one, ChangeEvent) and one.group == 2
+    ]
