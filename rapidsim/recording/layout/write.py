@@ -51,7 +51,7 @@ def record(simulation: Simulation, path: str | Path, *, dt: float | None = None)
 
     Args:
         simulation: The run.
-        path: Targets file, which appears only when it is complete.
+        path: Target file, which appears only when it is complete.
         dt: Time [s] between samples of the motion; None for 12 ms, or more if the motion lasts
             more than half an hour.
 

@@ -96,9 +96,10 @@ def _during_fly_by(
         return
     columns = robot_run.moves.columns
     files = np.array([source.file for source in columns.sources], dtype=np.object_)
+    with_outputs = {place.span.file for _, place in set_by_task}
+    by_moves = {file: frozenset(columns.starts[files == file].tolist()) for file in with_outputs}
     for event, place in set_by_task:
-        of_moves = (columns.starts == place.span.start) & (files == place.span.file)
-        if place.routine.lower() in traps or of_moves.any():
+        if place.routine.lower() in traps or place.span.start in by_moves[place.span.file]:
             # Outputs of the move itself are set at its target.
             continue
         latest_s = event.time_s + _AT_ONCE_S
