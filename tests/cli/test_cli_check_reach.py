@@ -143,7 +143,7 @@ def test_a_cycle_over_its_budget_is_found(folder: Path) -> None:
     done = rapidsim("check", "cell.mod", "--output-format", "concise", cwd=folder)
     assert "cell.mod:2:8: warning[D701] one cycle takes 3.00 s; the budget is 2.5 s" in done.out
     full = rapidsim("check", "cell.mod", cwd=folder).out
-    assert "the time is that of motion model 3" in full
+    assert "this is the time of motion model 3" in full
 
 
 UNRUN = """MODULE cell

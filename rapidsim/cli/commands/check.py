@@ -384,7 +384,7 @@ def _remarks(
     ):
         yield f"`--fix` can fix {curable} of them."
     if left_out := sum(one.left_out for one in mended):
-        yield f"Fixes left out, because they would leave more errors: {left_out}."
+        yield f"Fixes not applied, because they would cause more errors: {left_out}."
     if result.known:
         yield f"{len(result.known)} more are in the baseline."
     for paths, one in zip(programs, mended, strict=True):

@@ -179,7 +179,7 @@ class ServeOptions:
     journal: str | None = option(
         "--journal",
         metavar="FILE.jsonl",
-        help="Write what clients ask and what happens; `rapidsim run --replay` runs it again.",
+        help="Write all requests and events; `rapidsim run --replay` runs it again.",
     )
     record: str | None = option(
         "--record",
@@ -298,7 +298,7 @@ def _require_consistent(options: ServeOptions, ports: tuple[int | None, int | No
     if "-" in options.paths:
         raise InputError("serve reads no program from standard input", "name a file or a folder")
     if ports == (None, None):
-        raise InputError("--rws1-port off, --rws2-port off: nobody could reach the controller")
+        raise InputError("--rws1-port off, --rws2-port off: no client could reach the controller")
     if options.view and options.record is None:
         raise InputError("--view: it shows what --record FILE.rrd writes")
     if options.view:
@@ -311,7 +311,7 @@ def _require_consistent(options: ServeOptions, ports: tuple[int | None, int | No
         raise InputError(
             f"--host {options.host}: other computers reach it, and default passwords are known to "
             "all",
-            "`--user NAME:PASSWORD` or `--user-file FILE` says who may come in",
+            "`--user NAME:PASSWORD` or `--user-file FILE` sets who may log in",
         )
 
 
@@ -367,7 +367,7 @@ def _ports(options: ServeOptions) -> tuple[int | None, int | None]:
         ("--rws2-port", options.rws2_port, second),
     ):
         if default == "off" and text not in (None, "off"):
-            raise InputError(f"{name} {text}: RobotWare {options.robotware} does not speak it")
+            raise InputError(f"{name} {text}: RobotWare {options.robotware} does not support it")
     return (
         _port("--rws1-port", options.rws1_port or first),
         _port("--rws2-port", options.rws2_port or second),
@@ -417,7 +417,7 @@ def _origin(url: str) -> str:
     """
     parts = urlsplit(url)
     if parts.scheme not in ("http", "https") or not parts.netloc or parts.path.strip("/"):
-        raise InputError(f"--allow-origin: `{url}` is no origin such as http://localhost:3000")
+        raise InputError(f"--allow-origin: `{url}` is not an origin such as http://localhost:3000")
     return f"{parts.scheme}://{parts.netloc}".lower()
 
 
@@ -437,5 +437,5 @@ def _logins(options: ServeOptions) -> tuple[str, ...]:
 def _users(texts: tuple[str, ...]) -> dict[str, str]:
     for one in texts:
         if not one.partition(":")[0] or not one.partition(":")[2]:
-            raise InputError("--user: it takes NAME:PASSWORD, both of them")
+            raise InputError("--user: NAME:PASSWORD is needed, both parts")
     return {name: password for name, _, password in (one.partition(":") for one in texts)}
