@@ -48,7 +48,7 @@ class ServeOptions:
     )
     task: str | None = option("--task", metavar="NAME", help="Only this task, of several.")
     io: str | None = option(
-        "--io", metavar="FILE.toml", help="Signals and what happens to inputs; adds to the station."
+        "--io", metavar="FILE.toml", help="Signals and stimuli of inputs; adds to the station."
     )
     host: str = option(
         "--host",
@@ -67,7 +67,7 @@ class ServeOptions:
         "--allow-origin",
         metavar="URL",
         multiple=True,
-        help="A web page elsewhere that may use the server, as http://localhost:3000.",
+        help="Origin of a web page that may use the server, such as http://localhost:3000.",
     )
     robotware: str | None = option(
         "--robotware",
@@ -89,8 +89,7 @@ class ServeOptions:
     latency: str | None = option(
         "--latency",
         type=click.Choice(["irc5"]),
-        help="Answer starts and loads of modules as late as this controller: irc5 after 10 and "
-        "13 s.",
+        help="Delay starts and loads of modules like this controller: irc5 by 10 and 13 s.",
     )
     speed: str = option(
         "--speed",
@@ -152,7 +151,7 @@ class ServeOptions:
     user_file: str | None = option(
         "--user-file",
         metavar="FILE",
-        help="Such logins, one a line; also in the environment variable RAPIDSIM_USERS.",
+        help="Such logins, one per line; also in the environment variable RAPIDSIM_USERS.",
     )
     max_sessions: int = option(
         "--max-sessions",
@@ -190,13 +189,13 @@ class ServeOptions:
     ready_file: str | None = option(
         "--ready-file",
         metavar="FILE",
-        help="Write the first line to a file, too, which exists while the server listens.",
+        help="Also write the first line to a file that exists while the server listens.",
     )
     faults_port: int | None = option(
         "--faults-port",
         metavar="N",
         type=click.IntRange(0, 65535),
-        help="A port of this computer at which tests make the controller fail; 0 picks a free one.",
+        help="A port of this computer at which tests inject faults; 0 picks a free one.",
     )
     debug_port: int | None = option(
         "--debug",
