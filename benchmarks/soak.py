@@ -128,6 +128,7 @@ async def worker(soak: Soak, dice: random.Random) -> None:
                     ("GET", "rw/motionsystem/mechunits/ROB_1/jointtarget?json=1", {}),
                     ("GET", "rw/elog/0?lang=en&json=1", {}),
                     ("GET", "rw/rapid/symbol/data/RAPID/T_ROB1/rounds", {}),
+                    ("GET", "rw/cfg/MOC/ARM/instances", {}),
                     ("GET", "ui/state", {}),
                 ]
             )

@@ -21,6 +21,7 @@ EXTRAS: Mapping[str, str] = MappingProxyType(
         "cryptography": "serve",
         "mcp": "mcp",
         "pygls": "edit",
+        "cascadio": "step",
     }
 )
 """Extra that installs a package."""

@@ -53,6 +53,17 @@ class Page:
         for kind in ("keyDown", "keyUp"):
             await self.call("Input.dispatchKeyEvent", type=kind, key=name, code=name)
 
+    async def mouse(self, kind: str, element: str) -> None:
+        """Press or release the mouse on an element, `mousePressed` or `mouseReleased`."""
+        x, y = await self.value(
+            f"(() => {{ const one = {element}; one.scrollIntoView({{ block: 'center' }});"
+            " const box = one.getBoundingClientRect();"
+            " return [box.x + box.width / 2, box.y + box.height / 2]; })()"
+        )
+        await self.call(
+            "Input.dispatchMouseEvent", type=kind, x=x, y=y, button="left", clickCount=1
+        )
+
     async def until(self, script: str) -> None:
         """Wait until a script gives something true."""
         for _ in range(int(_PATIENCE_S / 0.1)):

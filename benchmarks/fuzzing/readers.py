@@ -20,6 +20,7 @@ from tempfile import TemporaryDirectory
 from types import MappingProxyType
 
 import rapidsim
+from fuzzing.step_prism import step_prism
 from rapidsim.analysis.passes.checker import check
 from rapidsim.applications.calibrate.donation import read_donation
 from rapidsim.applications.calibrate.joint_log import read_joint_log
@@ -203,6 +204,8 @@ class Reader:
     texts: tuple[bytes, ...]
     make: Callable[[], bytes] | None = None
     """Makes one more file, which takes longer."""
+    cost: int = 1
+    """Number of files of other kinds that are read in the time of one."""
 
     @property
     def seeds(self) -> tuple[bytes, ...]:
@@ -285,6 +288,7 @@ READERS: Mapping[str, Reader] = MappingProxyType(
         "stl": Reader("a.stl", _mesh, (_STL, _SOLID)),
         "obj": Reader("a.obj", _mesh, _texts("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 -1\n")),
         "ply": Reader("a.ply", _mesh, _texts(_PLY)),
+        "step": Reader("a.step", _mesh, _texts(step_prism(((0, 0), (2, 0), (0, 1)), 3)), cost=50),
         "gltf": Reader("a.gltf", _mesh, _texts(json.dumps(_GLTF))),
         "eio": Reader("EIO.cfg", _configuration, _texts(_EIO)),
         "moc": Reader("MOC.cfg", _configuration, _texts(_MOC)),
@@ -359,7 +363,7 @@ def damaged(kind: str, count: int, seed: int) -> Iterator[bytes]:
     """Yield the files that a reader begins with, and damaged ones."""
     seeds, dice = READERS[kind].seeds, random.Random(f"{kind} {seed}")
     yield from seeds
-    for _ in range(count):
+    for _ in range(count // READERS[kind].cost):
         yield changed(dice.choice(seeds), dice, seeds)
 
 

@@ -4,7 +4,7 @@ MODULE Hasty
   !
   !   rapidsim run programs/machine_tending/Hasty.mod
   !
-  ! tells C101 on the line that is marked. Tending.mod is the cure: a point before the door.
+  ! reports C101 on the marked line. Tending.mod shows the remedy: a point before the door.
 
   PERS tooldata tGrip:=[TRUE,[[0,0,160],[1,0,0,0]],[2,[0,0,80],[1,0,0,0],0,0,0.01]];
   PERS wobjdata wTray:=[FALSE,TRUE,"",[[150,-750,400],[1,0,0,0]],[[0,0,0],[1,0,0,0]]];

@@ -3,7 +3,7 @@ MODULE Eager
   !
   !   rapidsim run programs/shared_machine/Eager.mod
   !
-  ! tells C101 on the line that is marked. Load.mod is the cure: it waits for a signal at the door.
+  ! reports C101 on the marked line. Load.mod shows the remedy: it waits for a signal at the door.
 
   TASK PERS tooldata tGrip:=[TRUE,[[0,0,160],[1,0,0,0]],[2,[0,0,80],[1,0,0,0],0,0,0.01]];
   TASK PERS wobjdata wTray:=[FALSE,TRUE,"",[[150,-750,400],[1,0,0,0]],[[0,0,0],[1,0,0,0]]];

@@ -43,6 +43,12 @@ class MoveArrays:
         return f"<columns of {len(self.index)} moves>"
 
 
+def _filled(joints: Array, count: int) -> Array:
+    """Return joints (..., n) with NaN up to a number of axes."""
+    width = [(0, 0)] * (joints.ndim - 1) + [(0, count - joints.shape[-1])]
+    return np.pad(joints, width, constant_values=np.nan)
+
+
 class Moves(Sequence[MoveRecord]):
     """The moves of all robots, robot after robot."""
 
@@ -59,12 +65,12 @@ class Moves(Sequence[MoveRecord]):
         """The moves as arrays: much quicker than their records where there are thousands."""
         columns = self._simulation.moves.columns
         most = max(len(one.robot.joints) for one in self._simulation.robots)
-        joints = np.full((len(self), most), np.nan)
-        for number, row in enumerate(columns.rows):
-            joints[number, : len(row.joints)] = row.joints
+        joints = columns.rows.column(
+            lambda lines: _filled(lines.joints(), most), lambda row: _filled(row.joints, most)
+        ).reshape(-1, most)
         return MoveArrays(
             index=columns.index,
-            line=np.array([place.span.line for place in columns.places], dtype=np.int64),
+            line=columns.lines,
             start_s=columns.start_s,
             end_s=columns.end_s,
             length_mm=1000.0 * columns.length_m,

@@ -180,6 +180,7 @@ class TaskMoves:
         fixed_s = queue.commit_ahead()
         if fixed_s is None:
             return
+        self.journal.settle()
         self.clock.serve_due(min(fixed_s, self.cell.max_time_s))
         if fixed_s > self.cell.max_time_s:
             self.clock.go_to(fixed_s)

@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import field
 from enum import Enum, auto
-from typing import Protocol
+from typing import TYPE_CHECKING, Protocol
 
 from rapidsim.diagnostics import Span
 from rapidsim.language.data import (
@@ -31,6 +31,10 @@ from rapidsim.language.data import (
     ZoneData,
 )
 from rapidsim.values import value_class
+
+if TYPE_CHECKING:
+    import numpy as np
+    import numpy.typing as npt
 
 LEAST_RAMP_PERCENT = 10.0
 CONFIGURATION_LIMITS_DEG = (30.0, 180.0, 90.0)
@@ -62,6 +66,11 @@ class AnnouncedTargets(Protocol):
     def __len__(self) -> int: ...
 
     def __getitem__(self, number: int) -> RobTarget: ...
+
+    @property
+    def starts(self) -> npt.NDArray[np.int64]:
+        """Offsets of their statements in the text."""
+        ...
 
     def place(self, number: int) -> Place:
         """Place of the statement with the target of a number."""

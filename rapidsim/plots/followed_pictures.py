@@ -16,7 +16,7 @@ from rapidsim.motion.waypoints.follow import FollowedTrajectory
 from rapidsim.plots.arm_picture import arm_at_both_ends
 from rapidsim.plots.stick_arm import MM, as_cube
 from rapidsim.plots.theme import Theme, mark_start, new_figure, time_axis, write_name
-from rapidsim.plots.time_pictures import draw_joint
+from rapidsim.plots.time_pictures import draw_joint, draw_quaternions
 from rapidsim.plots.write import write_pictures
 
 _AXES = ("x [mm]", "y [mm]", "z [mm]")
@@ -158,14 +158,7 @@ def orientation_picture(followed: FollowedTrajectory, name: str, theme: Theme) -
     upper, middle, lower = figure.subplots(3, 1, sharex=True)
     times = followed.samples.times
     quaternions = unbroken(followed.samples.base_from_tcp.quaternion)
-    for k in range(4):
-        upper.plot(times, quaternions[:, k], color=theme.joints[k], label=f"q{k + 1}")
-    norm = np.linalg.norm(quaternions, axis=1)
-    upper.plot(times, norm, color=theme.programmed, linestyle="--", label="norm")
-    upper.set_title(
-        f"quaternion, base frame, scalar first; its norm is 1 within {np.abs(norm - 1.0).max():.0e}"
-    )
-    upper.set_ylim(-1.08, 1.12)
+    draw_quaternions(upper, times, quaternions, theme)
     figure.legend(loc="upper right", ncols=5)
     rates = attitude_rates(followed)
     _draw_rates(middle, lower, times, rates, theme)

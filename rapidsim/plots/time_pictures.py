@@ -77,11 +77,8 @@ def orientation_picture(run: SampledRun, theme: Theme) -> Figure:
     upper, lower = figure.subplots(2, 1, sharex=True)
     times = run.samples.times
     quaternions = unbroken(run.samples.base_from_tcp.quaternion)
-    for k in range(4):
-        upper.plot(times, quaternions[:, k], color=theme.joints[k], label=f"q{k + 1}")
-    upper.set_title("quaternion, base frame, scalar first")
-    upper.set_ylim(-1.08, 1.08)
-    figure.legend(loc="upper right", ncols=4)
+    draw_quaternions(upper, times, quaternions, theme)
+    figure.legend(loc="upper right", ncols=5)
     _shade_corners(lower, run, theme)
     lower.plot(times, _turned_deg(run, quaternions), color=theme.tcp)
     lower.set_title("turned since the start of the move; on lines evenly with the way (SLERP)")
@@ -89,6 +86,17 @@ def orientation_picture(run: SampledRun, theme: Theme) -> Figure:
     lower.set_ylim(bottom=0.0)
     time_axis(lower, run.end_s)
     return figure
+
+
+def draw_quaternions(axes: Axes, times: Array, quaternions: Array, theme: Theme) -> None:
+    """Draw quaternions (k, 4) at instants (k,) [s], with their norm."""
+    for k in range(4):
+        axes.plot(times, quaternions[:, k], color=theme.joints[k], label=f"q{k + 1}")
+    norm = np.linalg.norm(quaternions, axis=1)
+    axes.plot(times, norm, color=theme.programmed, linestyle="--", label="norm")
+    off = np.abs(norm - 1.0).max()
+    axes.set_title(f"quaternion, base frame, scalar first; its norm is 1 within {off:.0e}")
+    axes.set_ylim(-1.08, 1.12)
 
 
 def _shade_corners(axes: Axes, run: SampledRun, theme: Theme) -> None:

@@ -12,7 +12,6 @@ from contextlib import contextmanager
 from dataclasses import field, replace
 from mmap import ACCESS_READ, mmap
 from pathlib import Path
-from types import MappingProxyType
 from typing import Annotated, ClassVar, Final, TypeAlias
 
 from rapidsim.controller.cell.faults import LastingFault
@@ -22,7 +21,6 @@ from rapidsim.values import value_class
 NETWORK: Final = "network"
 """Kind of an event caused by a peer of a program's socket."""
 Fields: TypeAlias = Mapping[str, str]
-NOTHING: Fields = MappingProxyType({})
 
 
 @value_class(frozen=True, slots=True)

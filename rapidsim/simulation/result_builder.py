@@ -156,7 +156,7 @@ def _findings(
         yield from run.journal.diagnostics()
         yield from not_simulated_findings(run.journal)
         yield from backward_findings(run.setup.program)
-        yield from hasty_move_findings(run.member.moves)
+        yield from hasty_move_findings(run.member.moves.parts)
         yield from outcome.findings
     movers = [run for run in runs if run.setup.robot is not None]
     for robot, run in zip(robots, movers, strict=True):

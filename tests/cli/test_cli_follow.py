@@ -41,6 +41,30 @@ def test_the_letter_is_tracked_and_written(tmp_path: Path) -> None:
     assert follow("letter_d.csv", *arguments) == found
 
 
+def test_a_single_point_gives_its_joints(tmp_path: Path) -> None:
+    """Those nearest to 0, or to where the arm is; nothing is written."""
+    point, trace = tmp_path / "point.csv", tmp_path / "trace.csv"
+    point.write_text("x,y,z,e1,e2,e3\n900,0,700,0,90,0\n")
+    for kind in ("line", "joint-quintic"):
+        made = follow(str(point), "--path", kind, "--trace", trace)["trajectory"]
+        assert (made["duration_s"], made["path_mm"], made["poses_solved"]) == (0.0, 0.0, 1)
+        angles = [joint["start_deg"] for joint in made["joints"]]
+        joints = ",".join(map(str, angles))
+        reached = rapidsim("kin", "fk", "--joints", joints, "--format", "json").out
+        assert json.loads(reached)["position_mm"] == pytest.approx([900, 0, 700])
+        assert angles[0] == pytest.approx(0.0)
+    flipped = follow(str(point), "--start", "0,0,0,180,0,180")["trajectory"]["joints"]
+    assert flipped[3]["start_deg"] == pytest.approx(180.0)
+    assert not trace.exists()
+    assert "joint_6" in rapidsim("follow", point).out
+
+
+def test_the_time_at_constant_speed_is_shorter() -> None:
+    made = follow("letter_d.csv", "--robot", "rvm1", "--speed", "50")["trajectory"]
+    assert made["constant_speed_s"] == pytest.approx(made["path_mm"] / 50.0)
+    assert made["constant_speed_s"] < made["duration_s"]
+
+
 TURNED = "x,y,z,e1,e2,e3\n900,0,700,0,90,0\n800,300,900,30,80,0\n"
 
 

@@ -39,6 +39,15 @@ def test_forward() -> None:
     assert found["conf"] == [0, 0, 0, 0]
 
 
+def test_relative_transforms_multiply_to_the_tcp() -> None:
+    joints = ("--joints", "30,30,30,30,30,30", "--tool", "0,0,100")
+    found = report("fk", "--robot", "irb120", *joints)
+    names = [frame["name"] for frame in found["relative"]]
+    assert names == [*(f"T({k},{k + 1})" for k in range(6)), "T(6,TCP)"]
+    product = np.linalg.multi_dot([np.array(frame["matrix"]) for frame in found["relative"]])
+    assert product == pytest.approx(np.array(found["matrix"]), abs=1e-9)
+
+
 def test_a_tool_moves_the_tcp() -> None:
     found = report("fk", "--robot", "irb120", "--joints", "0,0,0,0,0,0", "--tool", "0,0,100")
     assert found["position_mm"] == pytest.approx([474.0, 0.0, 630.0])

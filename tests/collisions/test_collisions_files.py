@@ -11,11 +11,16 @@ import pytest
 import trimesh
 from collision_cells import HEAD, cell, codes, report
 from command_line import call
+from fuzzing.step_prism import UNITS, step_prism
 
+from rapidsim import extras
+from rapidsim.collisions.meshes import step
 from rapidsim.collisions.meshes.read import read_mesh
 from rapidsim.collisions.meshes.triangles import components, hollowness
+from rapidsim.files import InputError
 
 BOX = trimesh.creation.box((100.0, 200.0, 300.0))
+PRISM = ((0, 0), (100, 0), (100, 20), (20, 20), (20, 60), (0, 60))
 OBJECT = """[[object]]
 name = "vice"
 mesh = "{0}"
@@ -52,6 +57,33 @@ def test_a_box_is_the_same_in_every_kind_of_file(kind: str, tmp_path: Path) -> N
     assert mesh.closed
     assert len(mesh.faces) == 12
     np.testing.assert_allclose(np.ptp(mesh.vertices, axis=0), (100.0, 200.0, 300.0))
+
+
+@pytest.mark.parametrize("unit", UNITS)
+def test_a_step_file_has_its_unit(unit: str, tmp_path: Path) -> None:
+    """An L, closed, of the size that its unit says, with z up."""
+    (tmp_path / "l.step").write_text(step_prism(PRISM, 30.0, unit))
+    mesh = read_mesh(tmp_path / "l.step", tmp_path)
+    assert mesh.closed
+    assert len(mesh.faces) == 4 + 4 + 12
+    sizes = np.ptp(mesh.vertices, axis=0)
+    np.testing.assert_allclose(sizes, np.array([0.1, 0.06, 0.03]) * UNITS[unit], rtol=1e-6)
+
+
+def test_a_step_file_needs_an_extra(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(extras, "find_spec", lambda name: None)
+    (tmp_path / "l.stp").write_text(step_prism(PRISM, 30.0))
+    with pytest.raises(InputError, match=r"reading .*l\.stp needs cascadio") as raised:
+        read_mesh(tmp_path / "l.stp", tmp_path)
+    assert raised.value.help == 'pip install "rapidsim[step]"'
+
+
+def test_a_step_file_that_takes_too_long(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """A corner so far away that triangles are sought forever, or until memory ends."""
+    monkeypatch.setattr(step, "_MOST_S", 1.5)
+    (tmp_path / "l.step").write_text(step_prism(((0, 0), (1e300, 0), (0, 1)), 30.0))
+    with pytest.raises(InputError):
+        read_mesh(tmp_path / "l.step", tmp_path)
 
 
 def test_bodies_that_touch_are_pieces_of_their_own(tmp_path: Path) -> None:
@@ -120,7 +152,9 @@ BAD = {
     "outside.gltf": (gltf(buffers=[{"byteLength": 36, "uri": "../../secret.bin"}]), "leads out of"),
     "sparse.gltf": (gltf(accessors=[{"componentType": 5126, "count": 3}]), "sparse"),
     "huge.glb": (b"glTF" + struct.pack("<III", 2, 2**31, 2**31) + b"JSON", "not a readable glTF"),
-    "shape.step": (b"ISO-10303-21;", "unknown kind of shape file"),
+    "shape.iges": (b"S      1", "unknown kind of shape file"),
+    "text.step": (b"hello", "not a readable STEP"),
+    "empty.stp": (step_prism(PRISM, 30.0).replace("FACE(", "FACT(").encode(), "has no triangles"),
 }
 
 

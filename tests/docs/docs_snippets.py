@@ -28,6 +28,7 @@ GENERATED = ("library.md", "rules.md", "commands.md", "api.md")
 """Written from the source, which other tests execute: programs of rules, docstrings, usage."""
 PAGES = [
     ROOT / "README.md",
+    ROOT / "programs" / "README.md",
     *(page for page in sorted((ROOT / "docs").glob("*.md")) if page.name not in GENERATED),
 ]
 

@@ -172,7 +172,7 @@ ELSEWHERE = {
     "plots": {"round"},
     "recording": {"clear"},
     "report": {"dim", "distance", "stop"},
-    "server": {"type", "Type", "opmode", "stop", "set", "continue", "dim", "clear", "min"},
+    "server": {"type", "Type", "opmode", "stop", "set", "continue", "dim", "clear", "min", "save"},
     "simulation": {"stop"},
     "station": {"type", "set", "close", "load", "max", "min", "stop", "STOP"},
     "syntax": {"EXP", "open", "close"},

@@ -16,6 +16,8 @@ from rapidsim.simulation.live.controller import LiveController
 
 PROGRAM = """MODULE Tried
     VAR num n := 0;
+    PERS tooldata tMine := [TRUE,[[0,0,100],[1,0,0,0]],[1,[0,0,50],[1,0,0,0],0,0,0]];
+    PERS wobjdata wMine := [FALSE,TRUE,"",[[500,0,0],[1,0,0,0]],[[0,0,0],[1,0,0,0]]];
     VAR num answered;
     PERS num k := 0;
     PROC main()

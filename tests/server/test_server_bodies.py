@@ -6,6 +6,7 @@
 from __future__ import annotations
 
 import os
+import pickle
 import re
 from collections.abc import Iterable, Iterator
 from pathlib import Path
@@ -27,7 +28,25 @@ GOLDEN = Path(__file__).parent / "golden" / "answers.txt"
 FORMS = {
     "stopped": {6: bodies.json_body, 7: bodies.hal_body, 8: bodies.hal_body},
     "executing": {6: bodies.xhtml_body, 7: bodies.xhtml_body, 8: bodies.xhtml_body},
+    "asking": {6: bodies.json_body, 7: bodies.xhtml_body, 8: bodies.xhtml_body},
 }
+_UNIT = "rw/motionsystem/mechunits/ROB_1"
+FURTHER: dict[str, tuple[tuple[str, dict[str, str]], ...]] = {
+    "stopped": (
+        *(
+            (one, {})
+            for one in ("", "rw", "rw/panel", "rw/iosystem", "rw/rapid", "rw/motionsystem")
+        ),
+        (_UNIT, {"resource": "static"}),
+        (f"{_UNIT}/robtarget", {"tool": "tMine", "wobj": "wMine", "coordinate": "Wobj"}),
+        ("rw/retcode", {"code": "-1073442809"}),
+        ("rw/devices/SW_RESOURCES", {}),
+        ("users", {"user-type": "self"}),
+    ),
+    "executing": (("rw/rapid/uiinstr", {}),),
+    "asking": (("rw/rapid/uiinstr/active", {}),),
+}
+"""Other addresses, with queries, by state."""
 PLACES: dict[str, dict[str, str]] = {
     "ctrl/$": {"name": "HOME"},
     "rw/devices/": {"name": "HW_DEVICES"},
@@ -38,7 +57,7 @@ PLACES: dict[str, dict[str, str]] = {
 _FILE_TIME = re.compile(r'(fs-[cm]date"[^\d]*)[\dT :-]+')
 _FIGURE = re.compile(r"-?\d+\.\d{5,}(E-\d+)?")
 """Computers differ in the last digits."""
-LENGTH = 2000
+LENGTH = 3000
 """Longer bodies are lists of many items alike."""
 
 
@@ -53,6 +72,11 @@ def _answers(engine: Engine, state: str, version: int, routes: Iterable[Route]) 
         ("/ctrl/backup", "backup", {"backup": "$TEMP/b"}),
     ):
         engine.reply(Request("POST", path, {"action": action}, form, 1))
+    for address, query in FURTHER[state]:
+        request = Request("GET", f"/{address}", query, {}, 1, generation)
+        shown = "&".join(f"{key}={one}" for key, one in query.items())
+        text = _FIGURE.sub(_rounded, _shown(engine.reply(request), show, address))
+        yield f"{version} {state} GET /{address}?{shown}\n  {text[:LENGTH]}"
     for route in routes:
         if route.method == "DELETE":
             note = Request("PUT", "/fileservice/$HOME/note.txt", session=1, content=b"note")
@@ -68,16 +92,22 @@ def _answers(engine: Engine, state: str, version: int, routes: Iterable[Route]) 
         sent = {} if route.method == "GET" else RIGHT
         request = Request(route.method, address, query, sent, 1, generation, b"note")
         text = _shown(engine.reply(request), show, address)
-        text = _FIGURE.sub(lambda figure: f"{float(figure[0]):.4f}", text)
+        text = _FIGURE.sub(_rounded, text)
         text = _FILE_TIME.sub(r"\1TIME", text).replace(__version__, "VERSION")
         action = f"?action={route.action}" if route.action else ""
         yield f"{version} {state} {route.method} {address}{action}\n  {text[:LENGTH]}"
+
+
+def _rounded(figure: re.Match[str]) -> str:
+    return f"{float(figure[0]):.4f}"
 
 
 def _shown(reply: Reply, show: object, address: str) -> str:
     if isinstance(reply, ErrorAnswer):
         return f"{reply.status} {reply.code} {reply.message}"
     assert isinstance(reply, Answer)
+    # It passes between the processes.
+    assert pickle.loads(pickle.dumps(reply)) == reply
     assert callable(show)
     if reply.content is not None:
         return f"{reply.status} {reply.content!r}"
@@ -99,7 +129,7 @@ def test_answers_are_as_they_were(tmp_path: Path) -> None:
             (folder / "home" / "note.txt").write_text("note")
             with switched_on(folder) as (engine, _):
                 engine.context.versions = served_versions(None, version)
-                found += _answers(engine, state, version, chosen)
+                found += _answers(engine, state, version, () if state == "asking" else chosen)
     text = "\n".join(found) + "\n"
     if os.environ.get("UPDATE_GOLDEN"):
         GOLDEN.parent.mkdir(exist_ok=True)

@@ -175,3 +175,26 @@ def test_a_pointer_is_put_to_a_routine_which_runs_once(tmp_path: Path) -> None:
         assert await served.value("rounds") == "1"
 
     serve(tmp_path, OTHER, use)
+
+
+def test_a_saved_module_has_the_current_values_of_its_persistents(tmp_path: Path) -> None:
+    async def use(served: Served) -> None:
+        made = "rw/rapid/symbol/data/RAPID/T_ROB1/Calling/made?action=set"
+        assert await served.post(made, value="7") == (204, 0)
+        where = f"{served.base}/rw/rapid/modules/calling?task=T_ROB1&action=save"
+
+        async def save(**form: str) -> int:
+            async with served.client.post(where, data=form) as response:
+                return response.status
+
+        assert await save(name="Copy", path="$TEMP") == 204
+        saved = (tmp_path / "home" / "TEMP" / "Copy.mod").read_text()
+        assert saved == PROGRAM.replace("made := 0", "made := 7")
+        assert (await save(name="../Copy", path="$HOME"), await save(name="Copy")) == (404, 400)
+        # Controllers have three of the predefined data in a module.
+        (tool,) = await served.get("rw/rapid/symbol/data/RAPID/T_ROB1/BASE/tool0")
+        assert tool["value"].startswith("[TRUE,[[0,0,0],[1,0,0,0]]")
+        unknown = "rw/rapid/symbol/data/RAPID/T_ROB1/BASE/v100"
+        assert await served.status(unknown) == (400, -1073414146)
+
+    serve(tmp_path, PROGRAM, use)

@@ -287,6 +287,22 @@ def test_a_browser_jogs_loads_steps_and_explains(tmp_path: Path) -> None:
             await choose("[data-choice=frame]", "tool")
             await click("[data-step='x−']")
             await jogged()
+            # While a button is held, the arm goes as far as it can.
+            await choose("[data-choice=length]", "while held")
+            key = _one("[data-step='y+']")
+            await page.until(f"{key}.title.endsWith('200')")
+            trajectory = live.task("T_ROB1").unit.trajectory
+            await page.mouse("mousePressed", key)
+            while trajectory.duration <= live.now_s:
+                await asyncio.sleep(0.02)
+            live.advance(live.now_s + 0.4)
+            assert trajectory.duration > live.now_s + 0.5
+            await page.mouse("mouseReleased", key)
+            while trajectory.duration > live.now_s + 0.3:
+                await asyncio.sleep(0.02)
+            live.advance(live.now_s + 5.0)
+            await page.until(f"!{key}.disabled")
+            await page.value("window.scrollTo(0, 0)")
             await page.value(f"{_one('#arm')}.focus()")
             before = await page.value("look.turn")
             await page.key("ArrowLeft")

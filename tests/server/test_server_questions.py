@@ -68,6 +68,7 @@ def test_a_question_goes_with_its_program(tmp_path: Path) -> None:
         event = await socket.receive_str(timeout=20)
         assert '<li class="rap-ui-ev" title="uiinstruction">' in event
         assert '<span class="instr">TPReadNum</span><span class="event">SEND</span>' in event
+        assert '<span class="execlv">NORMAL</span>' in event
         assert await served.get(ACTIVE)
         await served.post("rw/rapid/execution?action=stop")
         await served.post("rw/rapid/execution?action=resetpp")

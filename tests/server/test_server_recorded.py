@@ -377,6 +377,9 @@ async def _pages(served: Served) -> None:
     assert {one["_type"] for one in await served.get("rw/panel")} == {
         f"pnl-{one}-li" for one in ("ctrlstate", "opmode", "speedratio", "coldetstate")
     }
+    modules = await served.get("rw/rapid/modules?task=T_ROB1")
+    kinds = {one["name"]: one["type"] for one in modules}
+    assert kinds == {"BASE": "SysMod", "MainModule": "ProgMod"}
     (groups,) = await served.get("rw/devices")
     assert [one["_title"] for one in groups["devices"]] == ["HW_DEVICES", "SW_RESOURCES"]
     (units,) = await served.get("rw/devices/HW_DEVICES")

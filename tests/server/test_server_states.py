@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import pickle
 from collections.abc import Iterator, Mapping
 from pathlib import Path
 
@@ -71,6 +72,7 @@ def test_every_resource_answers_in_every_state(
                 enter(one.reply)
             for request in _requests(route, generation):
                 _show(one.reply(request))
+    assert pickle.loads(pickle.dumps(told)) == told
     assert [
         note.text for note in told if isinstance(note, ConsoleLine) and "defect" in note.text
     ] == []
@@ -86,7 +88,8 @@ def test_every_resource_answers_in_every_state(
 
 
 def _show(reply: Reply) -> None:
-    """Write it in each form that a client may ask for."""
+    """Write it in each form that a client may ask for, after its way between the processes."""
+    assert pickle.loads(pickle.dumps(reply)) == reply
     if isinstance(reply, ErrorAnswer):
         assert 400 <= reply.status < 500
         for write in (bodies.json_refusal, bodies.hal_refusal, bodies.xhtml_refusal):

@@ -143,3 +143,47 @@ def test_the_arm_says_how_it_stands() -> None:
     assert isinstance(room, list)
     span = np.degrees(arm.robot.upper - arm.robot.lower)
     assert np.allclose(np.array(room).sum(axis=1), span, atol=0.02)
+
+
+def test_a_released_button_halts_the_robot_on_its_line() -> None:
+    live, task = manual()
+    jog(live.controller, task, JogFrame.JOINTS, 4, 30.0)
+    live.after(5.0)
+    before, began_s = position_snapshot(task).target, live.controller.now_s
+    jog(live.controller, task, JogFrame.BASE, 1, 200.0, is_pressed=True)
+    live.after(0.4)
+    released = position_snapshot(task).target
+    task.halt_jogging()
+    live.after(0.5)
+    stands = position_snapshot(task).target
+    assert released.trans.y < stands.trans.y < released.trans.y + 20.0 < before.trans.y + 150.0
+    assert np.allclose([stands.trans.x, stands.trans.z], [before.trans.x, before.trans.z], atol=0.1)
+    live.after(2.0)
+    assert position_snapshot(task).target == stands
+    section = task.unit.trajectory.guided[-1]
+    times = np.arange(began_s, section.end_s, 0.004)
+    turns = np.diff(section.joints_at(times), n=2, axis=0) / 0.004**2
+    assert np.abs(turns).max() < task.unit.member.limits.max_acceleration.max()
+    # The next step begins where it stands, and nothing is left to halt.
+    task.halt_jogging()
+    jog(live.controller, task, JogFrame.BASE, 1, -10.0)
+    live.after(5.0)
+    after = position_snapshot(task).target
+    assert np.isclose(after.trans.y, stands.trans.y - 10.0, atol=1e-3)
+
+
+def test_a_held_button_moves_as_far_as_the_arm_can_and_an_emergency_stop_ends_it() -> None:
+    live, task = manual()
+    for _ in range(20):
+        jog(live.controller, task, JogFrame.JOINTS, 0, 30.0, is_pressed=True)
+        live.after(5.0)
+        if joints(task)[0] > 179.0:
+            break
+    with pytest.raises(RequestRefused):
+        jog(live.controller, task, JogFrame.JOINTS, 0, 30.0, is_pressed=True)
+    jog(live.controller, task, JogFrame.JOINTS, 0, -30.0, is_pressed=True)
+    live.after(0.3)
+    live.controller.panel.press_emergency_stop(is_pressed=True)
+    pressed = joints(task)[0]
+    live.after(5.0)
+    assert pressed - 15.0 < joints(task)[0] < pressed - 0.01

@@ -3,7 +3,7 @@ MODULE Running
   !
   !   rapidsim run programs/belt_pick/Running.mod
   !
-  ! tells C106 on the line that is marked, with how far the part is away by then. Pick.mod is the cure:
+  ! reports C106 on the marked line, with how far the part is away by then. Pick.mod shows the remedy:
   ! it stops the belt.
 
   PERS tooldata tGrip:=[TRUE,[[0,0,120],[1,0,0,0]],[2,[0,0,60],[1,0,0,0],0,0,0.01]];

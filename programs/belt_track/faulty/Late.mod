@@ -4,7 +4,7 @@ MODULE Late
   !   rapidsim run programs/belt_track/faulty/Late.mod
   !
   ! ends with ERR_CNV_DROPPED on the line that is marked: the part is farther from the switch than
-  ! `maximum`. Track.mod is the cure: it goes as soon as the part is there.
+  ! `maximum`. Track.mod shows the remedy: it goes as soon as the part is there.
 
   PERS tooldata tGrip:=[TRUE,[[0,0,120],[1,0,0,0]],[0.5,[0,0,60],[1,0,0,0],0,0,0.001]];
   PERS wobjdata wBelt:=[FALSE,FALSE,"CNV1",[[0,0,0],[1,0,0,0]],[[0,0,0],[1,0,0,0]]];

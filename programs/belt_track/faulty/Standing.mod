@@ -3,7 +3,7 @@ MODULE Standing
   !
   !   rapidsim run programs/belt_track/faulty/Standing.mod
   !
-  ! tells C106 on the line that is marked, with how far the part is away by then. Track.mod is the cure:
+  ! reports C106 on the marked line, with how far the part is away by then. Track.mod shows the remedy:
   ! it goes down in the work object of the belt.
 
   PERS tooldata tGrip:=[TRUE,[[0,0,120],[1,0,0,0]],[0.5,[0,0,60],[1,0,0,0],0,0,0.001]];

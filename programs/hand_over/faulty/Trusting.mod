@@ -3,7 +3,7 @@ MODULE Trusting
   !
   !   rapidsim run programs/hand_over/Trusting.mod
   !
-  ! tells C105 on the line that is marked: nothing holds the part. Left.mod is the cure.
+  ! reports C105 on the marked line: nothing holds the part. Left.mod shows the remedy.
 
   TASK PERS tooldata tGrip:=[TRUE,[[0,0,100],[1,0,0,0]],[1,[0,0,50],[1,0,0,0],0,0,0.01]];
   CONST robtarget pStand:=[[450,600,560],[0,0,1,0],[0,0,-1,0],[9E9,9E9,9E9,9E9,9E9,9E9]];

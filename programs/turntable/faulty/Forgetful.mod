@@ -3,7 +3,7 @@ MODULE Forgetful
   !
   !   rapidsim run programs/turntable/Forgetful.mod
   !
-  ! tells C106 on the line that is marked: the table has turned the blank away. Load.mod is the cure: a
+  ! reports C106 on the marked line: the table has turned the blank away. Load.mod shows the remedy: a
   ! work object that STN1 carries.
 
   PERS tooldata tGrip:=[TRUE,[[0,0,120],[1,0,0,0]],[2,[0,0,60],[1,0,0,0],0,0,0.01]];

@@ -109,11 +109,13 @@ class JointCourse:
 
 @value_class(frozen=True, slots=True)
 class TrajectoryRecord:
-    """A trajectory through the points."""
+    """A trajectory through the points; of one point, the rest there."""
 
     dt_s: float
     """Time between the poses at which the deviation is measured."""
     duration_s: float
+    constant_speed_s: float
+    """Time along the path of the TCP at the requested speed throughout."""
     path_mm: float
     """Distance travelled by the TCP, corners cut."""
     peak_tcp_speed_mm_s: float
@@ -256,6 +258,7 @@ def _trajectory(followed: FollowedTrajectory) -> TrajectoryRecord:
     return TrajectoryRecord(
         dt_s=followed.dt,
         duration_s=followed.duration,
+        constant_speed_s=followed.even_duration,
         path_mm=followed.path_length * 1000.0,
         peak_tcp_speed_mm_s=followed.peak_speed * 1000.0,
         deviation=PathDeviation(

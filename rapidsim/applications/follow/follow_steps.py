@@ -186,11 +186,11 @@ def written(
     plots: Path | None,
     requested: RequestedPoints,
 ) -> tuple[OutputFile, ...]:
-    """Write the requested files, if there is a trajectory.
+    """Write the requested files, if there is a trajectory through two points or more.
 
     Of several there are only pictures, in folders with the names of their paths.
     """
-    made = [one for one in results if isinstance(one, FollowedTrajectory)]
+    made = [one for one in results if isinstance(one, FollowedTrajectory) and len(one.points) > 1]
     if not made:
         return ()
     result = made[0]

@@ -115,12 +115,16 @@ def trajectory_page(attempt: Attempt) -> RenderableType:
     result, plan = attempt.result, attempt.plan
     if isinstance(result, Refused):
         return refused_text(result)
+    if len(result.points) == 1:
+        return _joints_at_rest(result)
     facts = Table.grid(padding=(0, 2))
     facts.add_column(style="cyan", no_wrap=True)
     facts.add_column()
     profile = "" if plan.kind is Way.JOINT_QUINTIC else f", {plan.profile.value}"
     facts.add_row("path", f"{plan.kind.value}{profile}, {result.path_length * 1000.0:.1f} mm")
-    facts.add_row("duration", f"{result.duration:.3f} s")
+    facts.add_row(
+        "duration", f"{result.duration:.3f} s, at constant speed {result.even_duration:.3f} s"
+    )
     facts.add_row(
         "TCP speed",
         f"at most {result.peak_speed * 1000.0:.1f} mm/s, requested {plan.speed * 1000.0:g} mm/s",
@@ -283,6 +287,14 @@ def _joints(result: FollowedTrajectory) -> Table:
             *((f"{degrees(beyond):.3f} {unit}",) if quintic else ()),
             style="red" if ratio is not None and ratio > 1.0 else "",
         )
+    return table
+
+
+def _joints_at_rest(result: FollowedTrajectory) -> Table:
+    table = _table("joint", "angle")
+    angles = np.degrees(result.samples.joints[0]).tolist()
+    for joint, angle in zip(result.robot.joints, angles, strict=True):
+        table.add_row(joint.name, f"{angle:.3f} {joint.measure}")
     return table
 
 

@@ -41,6 +41,16 @@ class LinkFrame:
 
 
 @value_class(frozen=True, slots=True)
+class RelativeFrame:
+    """Pose of a link in the link before it, or of the TCP in the last link."""
+
+    name: str
+    """`T(0,1)` to `T(n,TCP)`; link 0 is the base."""
+    matrix: Matrix
+    """The pose as a 4x4 matrix [mm]."""
+
+
+@value_class(frozen=True, slots=True)
 class EulerAngles:
     """Orientation of the tool as Euler angles."""
 
@@ -64,6 +74,8 @@ class ForwardReport(OutputRecord):
     base: PlacedFrame
     """Pose of the base in the world."""
     links: Sequence[LinkFrame]
+    relative: Sequence[RelativeFrame]
+    """Transforms whose product is the pose of the TCP in the base."""
     conf: Sequence[int]
     """cf1, cf4, cf6, cfx."""
 
@@ -161,6 +173,10 @@ def forward_report(postures: Postures, convention: Convention) -> ForwardReport:
         links=[
             LinkFrame(f"link_{number}", _pose(links[number - 1]))
             for number in range(1, len(links) + 1)
+        ],
+        relative=[
+            RelativeFrame(name, plain_numbers(matrix_in_mm(frame)))
+            for name, frame in postures.relative_frames
         ],
         conf=confdata_of(robot.kinematics, joints).tolist(),
     )

@@ -68,28 +68,10 @@ def forward_page(postures: Postures, convention: Convention, *, tables: bool) ->
     if tables:
         for number in range(1, len(links) + 1):
             parts += [Text(), matrix_table(f"link_{number}", links[number - 1])]
-        for name, frame in relative_frames(postures):
+        for name, frame in postures.relative_frames:
             parts += [Text(), matrix_table(name, frame)]
         parts += [Text(), axis_tables_page(robot)]
     return Group(*parts)
-
-
-def relative_frames(postures: Postures) -> list[tuple[str, Transform]]:
-    """Return the pose of each link in the link before it, and of the TCP in the last, with names.
-
-    Link 0 is the base; the product of all is the pose of the TCP in the base.
-
-    Args:
-        postures: One posture.
-    """
-    links = postures.robot.kinematics.link_frames(postures.rows[0].joints)
-    tcp = postures.world_from_base.inverse() @ postures.world_from_tcp
-    frames = [Transform.identity(), *(links[k] for k in range(len(links))), tcp]
-    names = [*map(str, range(len(links) + 1)), "TCP"]
-    return [
-        (f"T({names[k]},{names[k + 1]})", frames[k].inverse() @ frames[k + 1])
-        for k in range(len(frames) - 1)
-    ]
 
 
 def posture_markdown(postures: Postures) -> str:

@@ -1,1 +1,1 @@
-"""Shapes from files: STL, OBJ, PLY and glTF become triangles, bounded and checked."""
+"""Shapes from files: STL, OBJ, PLY, glTF and STEP become triangles, bounded and checked."""

@@ -7,12 +7,13 @@ from pathlib import Path
 from rapidsim.collisions.meshes.gltf import read_gltf
 from rapidsim.collisions.meshes.obj import read_obj
 from rapidsim.collisions.meshes.ply import read_ply
+from rapidsim.collisions.meshes.step import read_step
 from rapidsim.collisions.meshes.stl import read_stl
 from rapidsim.collisions.meshes.triangles import Triangles, checked_triangles
 from rapidsim.files import InputError, input_bytes, require_inside
 
-IN_METRES = (".glb", ".gltf")
-"""Formats with lengths in metres; the others do not define a unit."""
+IN_METRES = (".glb", ".gltf", ".step", ".stp")
+"""Formats that define a unit, whose lengths are returned in metres."""
 KINDS = (".stl", ".obj", ".ply", *IN_METRES)
 _MOST_BYTES = 50_000_000
 
@@ -46,6 +47,8 @@ def read_mesh(file: Path, room: Path) -> Triangles:
             corners, faces = read_obj(name, data)
         case ".ply":
             corners, faces = read_ply(name, data)
+        case ".step" | ".stp":
+            corners, faces = read_step(name, data)
         case _:
             corners, faces = read_gltf(name, data, beside)
     return checked_triangles(name, corners, faces)

@@ -8,17 +8,17 @@ entries refer to it and are dated when the run is over.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import field, replace
 
 from rapidsim.controller.journal.events import (
     ErrorTally,
     Event,
     EventKind,
-    ExecutedLine,
     Unsimulated,
     Wait,
 )
+from rapidsim.controller.journal.executed_lines import DatedPlace, ExecutedLines, in_parts
 from rapidsim.controller.journal.failed_moves import FailedMove
 from rapidsim.controller.journal.stop_reasons import EventLimitReached
 from rapidsim.diagnostics import Diagnostic, Violation
@@ -30,6 +30,9 @@ from rapidsim.values import value_class
 
 MOST_EVENTS = 1_000_000
 """Maximum number of events of a run: an endless loop that writes would exhaust the memory."""
+
+_MANY_LINES = 1000
+"""Number of statements that settle together at least."""
 
 
 class Instant:
@@ -111,6 +114,9 @@ class Journal:
     """Number of moves that the task's robot has got."""
     _events: list[_Entry] = field(default_factory=list)
     _lines: list[tuple[Moment, Place]] = field(default_factory=list)
+    _settled: list[Sequence[DatedPlace]] = field(default_factory=list)
+    """Statements before these, in parts."""
+    _settled_lines: int = 0
     _waits: list[Wait] = field(default_factory=list)
     _diagnostics: list[Diagnostic] = field(default_factory=list)
     _failed_moves: list[FailedMove] = field(default_factory=list)
@@ -133,7 +139,7 @@ class Journal:
     @property
     def noted(self) -> int:
         """The number of events of the cell and statements of this task so far."""
-        return len(self._events) + len(self._lines)
+        return len(self._events) + self._settled_lines + len(self._lines)
 
     def undated(self, begin: int) -> tuple[Event, ...]:
         """The events of the cell from a position on; their times may be unknown, and are NaN."""
@@ -218,6 +224,18 @@ class Journal:
         if self.retains_all and (not self._lines or self._lines[-1] != (moment, place)):
             self._lines.append((moment, place))
 
+    def settle(self) -> None:
+        """Store many statements whose times are known as columns."""
+        count = next(
+            (at for at, (moment, _) in enumerate(self._lines) if not moment.is_known),
+            len(self._lines) - 1,
+        )
+        if count >= _MANY_LINES:
+            dated = [(moment.time_s, place) for moment, place in self._lines[:count]]
+            self._settled.extend(in_parts(dated))
+            self._settled_lines += count
+            del self._lines[:count]
+
     def wait(self, wait: Wait) -> None:
         """Record a wait that is over."""
         if self.retains_all:
@@ -282,14 +300,10 @@ class Journal:
         dated = [one.dated() for one in self._events if one.moment.instant.time is not None]
         return tuple(sorted(dated, key=lambda event: event.time_s))
 
-    def lines(self) -> tuple[ExecutedLine, ...]:
+    def lines(self) -> ExecutedLines:
         """All statements in order of time."""
-        dated = [
-            ExecutedLine(moment.time_s, self.task, place)
-            for moment, place in self._lines
-            if moment.instant.time is not None
-        ]
-        return tuple(sorted(dated, key=lambda line: line.time_s))
+        dated = [(moment.time_s, place) for moment, place in self._lines if moment.is_known]
+        return ExecutedLines(self.task, [*self._settled, dated])
 
     def waits(self) -> tuple[Wait, ...]:
         """All waits of this task in order of their starts."""

@@ -16,6 +16,7 @@ import numpy.typing as npt
 from rapidsim.controller.moves.executed_move import CornerKind, ExecutedMove
 from rapidsim.controller.moves.queued_move import QueuedMove, executed_move
 from rapidsim.controller.moves.settled_lines import SettledLines
+from rapidsim.diagnostics import Source
 from rapidsim.frames.transform import Array
 from rapidsim.language.moves import Move, Place
 from rapidsim.values import value_class
@@ -151,6 +152,31 @@ class MoveColumns:
     def templates(self) -> tuple[Move, ...]:
         """For each move one that differs from it, if at all, in its target."""
         return self.rows.values(lambda lines: (lines.rows.like,) * len(lines), attrgetter("move"))
+
+    @cached_property
+    def sources(self) -> tuple[Source, ...]:
+        """Texts that contain their statements."""
+        return self.rows.values(
+            lambda lines: (lines.place(0).span.source,) * len(lines),
+            lambda row: row.place.span.source,
+        )
+
+    @cached_property
+    def starts(self) -> Index:
+        """Shape (k,): offsets of their statements in these texts."""
+        return self.rows.column(SettledLines.starts, lambda row: row.place.span.start).astype(
+            np.int64
+        )
+
+    @cached_property
+    def lines(self) -> Index:
+        """Shape (k,): lines of their statements, from 1."""
+        found = np.zeros(len(self.rows), dtype=np.int64)
+        names = np.array([id(source) for source in self.sources], dtype=np.int64)
+        for source in {id(one): one for one in self.sources}.values():
+            own = names == id(source)
+            found[own] = np.searchsorted(source.line_starts, self.starts[own], side="right")
+        return found
 
     @cached_property
     def corners(self) -> tuple[CornerKind, ...]:

@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
+from itertools import chain
 
 import numpy as np
 
 from rapidsim.controller.moves.configuration_choice import excess_without_switch
 from rapidsim.controller.moves.move_request import target_name
 from rapidsim.controller.moves.queued_move import MotionError, QueuedMove
+from rapidsim.controller.moves.settled_lines import SettledLines
 from rapidsim.controller.moves.target_checks import excess_text
 from rapidsim.diagnostics import Diagnostic, Violation
 from rapidsim.findings.reach_and_motion_data import (
@@ -91,10 +93,11 @@ def wrist_turning_far(target: str, start: Array, end: Array) -> WristTurnsFar | 
     return WristTurnsFar(target, _WRIST.start + axis + 1, float(np.degrees(turns[axis])))
 
 
-def hasty_move_findings(moves: Iterable[QueuedMove]) -> tuple[Diagnostic, ...]:
+def hasty_move_findings(parts: Iterable[Sequence[QueuedMove]]) -> tuple[Diagnostic, ...]:
     r"""A warning for each move that takes longer than its `\T` because the axes are too slow."""
     found = []
-    for queued in moves:
+    timed = (part for part in parts if not isinstance(part, SettledLines) or part.is_timed)
+    for queued in chain.from_iterable(timed):
         programmed_s, started_s = queued.move.duration_s, queued.started.time
         if programmed_s is None or started_s is None or queued.ended_s is None:
             continue

@@ -85,6 +85,11 @@ class SettledLines(Sequence[QueuedMove]):
             ended_s=float(self.ended_s[at]),
         )
 
+    @property
+    def is_timed(self) -> bool:
+        """Whether the program gives their times."""
+        return self.rows.like.duration_s is not None
+
     def move(self, at: int) -> Move:
         """Return the move of a line as programmed."""
         return self.rows.move(self.begin + at)
@@ -97,9 +102,19 @@ class SettledLines(Sequence[QueuedMove]):
         """Return the numbers (k,) of the moves."""
         return self.number + np.arange(len(self), dtype=np.float64)
 
+    def starts(self) -> Array:
+        """Return the offsets (k,) of their statements."""
+        first = self.rows.first + self.begin
+        starts: Array = self.rows.targets.starts[first : first + len(self)].astype(np.float64)
+        return starts
+
     def corners(self) -> tuple[CornerKind, ...]:
         """Return the types of their ends."""
         return tuple(_KINDS[number] for number in self.corner.tolist())
+
+    def joints(self) -> Array:
+        """Return the joints (k, n) [rad] at their ends."""
+        return self.rows.joints[self.begin : self.begin + len(self)]
 
     def end_m(self) -> Array:
         """Return the positions (k, 3) of the TCP at their programmed ends."""

@@ -18,7 +18,7 @@ from rapidsim.syntax import tree
 from rapidsim.values import value_class
 
 if TYPE_CHECKING:
-    from rapidsim.syntax.tree.bulk_statements import Numbers
+    from rapidsim.syntax.tree.bulk_statements import Numbers, Offsets
 
 ROW = "_row"
 """Variable of generated code with the current row; None outside bulk moves."""
@@ -118,8 +118,13 @@ class BulkTargets:
         """Return a target."""
         if self._created is not None:
             return self._created[number]
-        row = self._rows.start + number
-        return next(targets_of(self._of.run.numbers[row : row + 1]))
+        values = self._of.run.numbers[self._rows.start + number].tolist()
+        return RobTarget._make(kind._make(values[part]) for part, kind in _PARTS)
+
+    @property
+    def starts(self) -> Offsets:
+        """Offsets of their statements in the text."""
+        return self._of.run.starts[self._rows]
 
     def place(self, number: int) -> Place:
         """Place of the statement of a target."""

@@ -54,6 +54,21 @@ class Postures:
         return self.world_from_base @ base_from_frames
 
     @property
+    def relative_frames(self) -> list[tuple[str, Transform]]:
+        """Poses of each link in the link before it, and of the TCP in the last, with names.
+
+        Of the first posture. Link 0 is the base; the product is the pose of the TCP in the base.
+        """
+        links = self.robot.kinematics.link_frames(self.rows[0].joints)
+        tcp = self.world_from_base.inverse() @ self.world_from_tcp
+        frames = [Transform.identity(), *(links[k] for k in range(len(links))), tcp]
+        names = [*map(str, range(len(links) + 1)), "TCP"]
+        return [
+            (f"T({names[k]},{names[k + 1]})", frames[k].inverse() @ frames[k + 1])
+            for k in range(len(frames) - 1)
+        ]
+
+    @property
     def size(self) -> float:
         """The approximate size of the arm [m]."""
         places = [self.frames(row).translation for row in range(len(self.rows))]

@@ -19,7 +19,7 @@ _FIRST_ROOM = 256
 
 @dataclass(eq=False)
 class GuidedSection:
-    """A guided motion; it can only be extended."""
+    """A guided motion; it can only be extended, or ended earlier."""
 
     start_s: float
     cycle_s: float
@@ -64,6 +64,10 @@ class GuidedSection:
         if row == len(self._joints):
             self._joints = np.concatenate([self._joints, np.zeros_like(self._joints)])
         self._joints[row] = joints, speed
+
+    def end_after(self, cycles: int) -> None:
+        """Discard what is known after so many cycles, which have not been discarded."""
+        self._count = min(self._count, cycles)
 
     def forget(self, before_s: float) -> None:
         """Discard data that queries for a time [s] or later do not need."""

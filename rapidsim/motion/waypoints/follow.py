@@ -85,6 +85,11 @@ class FollowedTrajectory:
         return float(self.samples.times[-1])
 
     @property
+    def even_duration(self) -> float:
+        """Time [s] along the path of the TCP at the requested speed throughout."""
+        return self.path_length / self.plan.speed
+
+    @property
     def deviation_rms(self) -> float:
         """Root mean square [m]."""
         return float(np.sqrt(np.mean(self.deviation**2)))
@@ -125,21 +130,24 @@ def follow(
 
     Args:
         robot: The arm.
-        points: Two or more points.
+        points: One or more points; at one the arm rests.
         attitudes: The attitude at each, (k, 4) or (k, 1); see `reachability.reach`.
         flange_from_tcp: The tool.
         plan: The requested trajectory.
-        start: Joints (n,) [rad] near which to begin; None for those with the least motion.
+        start: Joints (n,) [rad] near which to begin; None for those with the least motion, at a
+            lone point for 0.
         first: Required joints (n,) [rad] at the first point; None if free.
         dt: Time [s] between samples.
 
     Returns:
         The trajectory, or the reason for refusing it.
     """
-    if len(points) < 2:
-        return Refused(f"a trajectory needs two points or more, not {len(points)}")
+    if not len(points):
+        return Refused("a trajectory needs points")
     tcp_from_flange = flange_from_tcp.inverse()
-    if plan.kind.of_tcp:
+    if len(points) == 1:
+        start = np.zeros(len(robot.joints)) if start is None else start
+    elif plan.kind.of_tcp:
         motion = tcp_motion(points, attitudes, plan)
         if isinstance(motion, Refused):
             return motion
@@ -157,6 +165,8 @@ def follow(
         why = unreachable_reason(robot, (at_points @ tcp_from_flange)[knots])
         said = why.message if why else NOT_FROM_THERE
         return Refused(f"point {points.number(knots)}: {said}", None, knots)
+    if len(points) == 1:
+        return _at_rest(robot, points, attitudes, flange_from_tcp, plan, knots, dt)
     if plan.kind is Way.JOINT_QUINTIC:
         made = quintic_motion(points, knots, plan)
     else:
@@ -168,6 +178,37 @@ def follow(
     if isinstance(times, Refused):
         return times
     return _of_joints(robot, points, attitudes, flange_from_tcp, plan, made, knots, times, dt)
+
+
+def _at_rest(
+    robot: Robot,
+    points: Points,
+    attitudes: Array,
+    flange_from_tcp: Transform,
+    plan: Plan,
+    joints: Array,
+    dt: float,
+) -> FollowedTrajectory:
+    """Return the rest at one point, with joints (1, n) [rad]."""
+    base_from_tcp = robot.forward(joints) @ flange_from_tcp
+    none = np.zeros(1)
+    return FollowedTrajectory(
+        plan=plan,
+        robot=robot,
+        points=points,
+        attitudes=attitudes,
+        flange_from_tcp=flange_from_tcp,
+        samples=Samples(none, np.zeros(1, dtype=np.int64), joints, base_from_tcp, none),
+        wanted=base_from_tcp,
+        deviation=np.linalg.norm(base_from_tcp.translation - points.positions, axis=1),
+        turn_deviation=0.0,
+        joint_peaks=np.zeros(len(robot.joints)),
+        overshoot=np.zeros(len(robot.joints)),
+        path_length=0.0,
+        peak_speed=0.0,
+        poses_solved=1,
+        dt=dt,
+    )
 
 
 def _joint_motion_lengths(robot: Robot, knots: Array, flange_from_tcp: Transform) -> Array:
@@ -282,6 +323,9 @@ def _tcp_velocity(robot: Robot, joints: Array, speeds: Array, tcp: Array) -> Arr
 
 def _off_the_chord(tcp: Array, points: Array, segment: npt.NDArray[np.int64]) -> Array:
     """Return distances (k,) [m] of positions (k, 3) from straight lines between points (p, 3)."""
+    if len(points) == 1:
+        alone: Array = np.linalg.norm(tcp - points, axis=1)
+        return alone
     start, along = points[segment], np.diff(points, axis=0)[segment]
     square = np.maximum(np.sum(along**2, axis=1), 1e-300)
     share = np.clip(np.sum((tcp - start) * along, axis=1) / square, 0.0, 1.0)

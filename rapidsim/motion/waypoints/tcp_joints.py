@@ -175,6 +175,8 @@ def solved(
     if first is None:
         found = least_motion(robot, base_from_flange, start)
         return found if isinstance(found, int) else found.joints
+    if len(base_from_flange) == 1:
+        return first[None]
     rest = least_motion(robot, base_from_flange[1:], first)
     if isinstance(rest, int):
         return rest + 1

@@ -16,7 +16,7 @@ from rapidsim.recording.panels import belts, log, plots, program_listing, state_
 from rapidsim.recording.panels.legend import emptiest_corner
 from rapidsim.recording.samples import RecordedRobot
 from rapidsim.recording.scene import failed_moves, paths, speed_path, targets
-from rapidsim.recording.scene.targets import Target
+from rapidsim.recording.scene.targets import Targets
 from rapidsim.recording.timelines import SIM_TIME
 from rapidsim.recording.transforms import WORLD
 
@@ -28,7 +28,7 @@ _OPEN_AXIS = 130.0
 legend."""
 
 
-def blueprint(runs: Sequence[RecordedRobot], shown: Sequence[Target]) -> rrb.Blueprint:
+def blueprint(runs: Sequence[RecordedRobot], shown: Targets) -> rrb.Blueprint:
     """Return the layout: cell and program above, plots and lanes below.
 
     Args:
@@ -80,7 +80,7 @@ def _titled(run: RecordedRobot, title: str) -> str:
     return f"{run.name}: {title}" if run.name else title
 
 
-def _spaces(runs: Sequence[RecordedRobot], shown: Sequence[Target]) -> rrb.Container:
+def _spaces(runs: Sequence[RecordedRobot], shown: Targets) -> rrb.Container:
     """Return views of the whole cell and, for a single robot, of its targets from near."""
     by_speed = [f"- /{run.entity(speed_path.ENTITY)}/**" for run in runs]
     near = targets.near_targets(shown)

@@ -9,7 +9,7 @@ import numpy as np
 from rapidsim.frames.transform import Array, Transform
 from rapidsim.recording.samples import RecordedRobot
 from rapidsim.recording.scene.failed_moves import in_sight, reason_room
-from rapidsim.recording.scene.targets import Target, points_of
+from rapidsim.recording.scene.targets import Targets
 from rapidsim.recording.scene.work_objects import object_origins
 from rapidsim.values import value_class
 
@@ -45,9 +45,9 @@ def cell_camera(runs: Sequence[RecordedRobot], wide: float = 1.0) -> Viewpoint:
     return looking_at(points, _azimuth(runs), _HEIGHT_RAD, air=air, wide=wide)
 
 
-def near_camera(run: RecordedRobot, near: Sequence[Target]) -> Viewpoint:
+def near_camera(run: RecordedRobot, near: Targets) -> Viewpoint:
     """Return a view of some targets from near, with the points at which moves failed."""
-    points = np.concatenate([points_of(near), in_sight(run, run.robot_run.failed_moves)])
+    points = np.concatenate([near.points, in_sight(run, run.robot_run.failed_moves)])
     world_points = run.robot_run.world_from_base.apply(points)
     return looking_at(world_points, _azimuth([run]), _CLOSE_HEIGHT_RAD, air=1.15)
 

@@ -37,7 +37,7 @@ from rapidsim.recording.scene.failed_moves import log_failed
 from rapidsim.recording.scene.paths import log_paths
 from rapidsim.recording.scene.speed_path import log_speed_path
 from rapidsim.recording.scene.stop_mark import log_stopped
-from rapidsim.recording.scene.targets import Target, extent, log_targets, near_targets, targets_of
+from rapidsim.recording.scene.targets import Targets, extent, log_targets, near_targets, targets_of
 from rapidsim.recording.scene.tool import log_tool
 from rapidsim.recording.scene.work_objects import log_work_objects
 from rapidsim.recording.stream import recording_file
@@ -51,7 +51,7 @@ def record(simulation: Simulation, path: str | Path, *, dt: float | None = None)
 
     Args:
         simulation: The run.
-        path: Target file, which appears only when it is complete.
+        path: Targets file, which appears only when it is complete.
         dt: Time [s] between samples of the motion; None for 12 ms, or more if the motion lasts
             more than half an hour.
 
@@ -90,9 +90,7 @@ def _log_whole(stream: rr.RecordingStream, simulation: Simulation, run: Recorded
     log_belts(stream, run)
 
 
-def _log_robot(
-    stream: rr.RecordingStream, run: RecordedRobot, targets: tuple[Target, ...]
-) -> tuple[str, ...]:
+def _log_robot(stream: rr.RecordingStream, run: RecordedRobot, targets: Targets) -> tuple[str, ...]:
     """Log one robot; return remarks on content that the viewer cannot show correctly."""
     remarks = _log_base(stream, run)
     size_m = cell_size(run)

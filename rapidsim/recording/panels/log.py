@@ -84,9 +84,10 @@ def _place_text(place: Place) -> str:
 def _finding_rows(run: RecordedRobot) -> Iterator[_Row]:
     """Yield findings at their time, or when the program first reached their line, or at the end."""
     first: dict[tuple[str, int], float] = {}
-    for line in sorted(_lines(run.sampled.simulation), key=lambda line: line.time_s):
-        span = line.place.span
-        first.setdefault((span.file, span.line), line.time_s)
+    if any(finding.span is not None for finding in run.sampled.simulation.diagnostics):
+        for line in sorted(_lines(run.sampled.simulation), key=lambda line: line.time_s):
+            span = line.place.span
+            first.setdefault((span.file, span.line), line.time_s)
     for finding in run.sampled.simulation.diagnostics:
         yield _Row(
             _finding_time_s(finding, first, run.sampled.simulation),

@@ -161,16 +161,15 @@ def _programmed_steps(moves: MoveColumns, end_s: float) -> tuple[Array, Array]:
 
     Recordings count nanoseconds: for two speeds within one of them the viewer would draw the mean.
     """
-    steps: dict[float, float] = {0.0: 0.0}
-    times_s = zip(moves.start_s.tolist(), moves.end_s.tolist(), moves.moves, strict=True)
-    for begins_s, ends_s, move in times_s:
-        if ends_s <= begins_s:
-            continue  # To where the arm was; the move after it may have begun already.
-        steps[round(ends_s, 9)] = 0.0
-        steps[round(begins_s, 9)] = move.speed.v_tcp
-    steps.setdefault(round(end_s, 9), 0.0)
-    times = sorted(steps)
-    return np.array(times), np.array([steps[time] for time in times])
+    # To where the arm was nothing is drawn; the move after it may have begun already.
+    moving = moves.end_s > moves.start_s
+    bounds = np.stack([moves.end_s, moves.start_s], axis=-1)[moving].reshape(-1)
+    times = np.array([0.0, *(round(time_s, 9) for time_s in [end_s, *bounds.tolist()])])
+    speeds = np.zeros(len(times))
+    speeds[3::2] = moves.speed_mm_s[moving]
+    # Of equal times the last counts.
+    found, last = np.unique(times[::-1], return_index=True)
+    return found, speeds[::-1][last]
 
 
 def _aggregation(run: RecordedRobot) -> rr.components.AggregationPolicy:

@@ -6,12 +6,13 @@ scrolls only when a pointer would leave it, so that the text does not jump at ev
 
 from __future__ import annotations
 
-import bisect
 from collections.abc import Iterable, Iterator, Sequence
 
+import numpy as np
 import rerun as rr
 
 from rapidsim.controller.journal.events import ExecutedLine
+from rapidsim.controller.journal.executed_lines import times_of
 from rapidsim.controller.moves.executed_moves import ExecutedMoves
 from rapidsim.diagnostics import Source
 from rapidsim.recording.samples import RecordedRobot
@@ -49,8 +50,8 @@ def log_listing(stream: rr.RecordingStream, run: RecordedRobot) -> tuple[str, ..
         Remarks on content that the viewer cannot show correctly, one per line.
     """
     lines, moves = run.robot_run.lines, run.robot_run.moves
-    begun_s = moves.columns.start_s.tolist()
-    instants = sorted({0.0, *(line.time_s for line in lines), *begun_s})
+    times = np.concatenate([[0.0], times_of(lines), moves.columns.start_s])
+    instants = np.unique(times).tolist()
     remarks: tuple[str, ...] = ()
     if len(instants) > MOST_TEXTS:
         apart_s = run.sampled.end_s / MOST_TEXTS
@@ -82,12 +83,11 @@ def _pointers(
     instants: Sequence[float], lines: Sequence[ExecutedLine], moves: ExecutedMoves
 ) -> Iterator[_Pointers]:
     """Yield both pointers at instants [s], in order."""
-    line_times = [line.time_s for line in lines]
-    move_times = moves.columns.start_s.tolist()
+    line_times, move_times = times_of(lines), moves.columns.start_s
     for time_s in instants:
         # Before the first statement the pointer waits at it.
-        line = lines[max(bisect.bisect_right(line_times, time_s) - 1, 0)] if lines else None
-        begun = bisect.bisect_right(move_times, time_s) - 1
+        line = lines[max(int(line_times.searchsorted(time_s, "right")) - 1, 0)] if lines else None
+        begun = int(move_times.searchsorted(time_s, "right")) - 1
         move = moves[begun] if begun >= 0 else None
         # The text follows the robot during motion, else the program.
         under_way = move if move is not None and time_s < move.end_s else None

@@ -147,27 +147,29 @@ def _move_states(
 ) -> tuple[_States, dict[str, palette.Colour]]:
     """Return the move lane: moves, and rest in between."""
     columns = moves.columns
-    programmed = columns.moves
-    both = zip(programmed, columns.places, strict=True)
-    names = [f"{move.instruction} {target_name(place)}".rstrip() for move, place in both]
-    if len(set(names)) > _MOST_STATES:
-        names = [move.instruction for move in programmed]
+    programmed = columns.templates
+    names, distinct = [], set[str]()
+    for move, place in zip(programmed, columns.places, strict=True):
+        names.append(f"{move.instruction} {target_name(place)}".rstrip())
+        distinct.add(names[-1])
+        if len(distinct) > _MOST_STATES:
+            names = [move.instruction for move in programmed]
+            break
     colours: dict[str, palette.Colour] = {_STANDSTILL: palette.STANDSTILL}
-    states: _States = []
-    now_s = 0.0
-    starts_s, ends_s = columns.start_s.tolist(), columns.end_s.tolist()
-    for name, move, start_s, end_s in zip(names, programmed, starts_s, ends_s, strict=True):
+    for name, move in zip(names, programmed, strict=True):
         if name not in colours:
             # Every other move is a shade darker: neighbours of one kind would merge.
             colour = palette.of_move(move)
             colours[name] = colour if len(colours) % 2 else palette.darker(colour)
-        if start_s > now_s + _SHORTEST_STANDSTILL_S:
-            states.append((now_s, _STANDSTILL))
-        if end_s > start_s:
-            states.append((start_s, name))
-            now_s = end_s
-    states.append((now_s, _STANDSTILL))
-    return states, colours
+    makes_way = columns.end_s > columns.start_s
+    last = np.maximum.accumulate(np.where(makes_way, np.arange(len(names)), -1))
+    over_s = np.append(0.0, np.where(last < 0, 0.0, columns.end_s[last]))
+    rests = columns.start_s > over_s[:-1] + _SHORTEST_STANDSTILL_S
+    shown = np.append(np.stack([rests, makes_way], axis=-1), True)
+    times = np.append(np.stack([over_s[:-1], columns.start_s], axis=-1), over_s[-1])
+    states = np.full(len(shown), _STANDSTILL, dtype=np.object_)
+    states[1:-1:2] = names
+    return list(zip(times[shown].tolist(), states[shown].tolist(), strict=True)), colours
 
 
 def _signal_states(

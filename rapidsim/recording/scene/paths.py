@@ -7,11 +7,14 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from itertools import pairwise
+from typing import NamedTuple
 
 import numpy as np
 import numpy.typing as npt
 import rerun as rr
 
+from rapidsim.controller.moves.executed_moves import MoveRow
+from rapidsim.controller.moves.settled_lines import SettledLines
 from rapidsim.frames.transform import Array, Transform
 from rapidsim.language.moves import Interpolation, Move
 from rapidsim.motion.configurations.targets import base_from_tcp
@@ -56,35 +59,56 @@ def log_paths(stream: rr.RecordingStream, run: RecordedRobot) -> None:
         )
 
 
+class _Pose(NamedTuple):
+    """A pose of the arm: its joints, the TCP, and the flange relative to it."""
+
+    joints: Array
+    tcp: Transform
+    tcp_from_flange: Transform
+
+    def start(self, tcp_from_flange: Transform) -> Array:
+        """Return where a path with a tool begins."""
+        if tcp_from_flange is self.tcp_from_flange:
+            return self.tcp.translation
+        # Another tool has another TCP on the same flange.
+        return (self.tcp @ self.tcp_from_flange @ tcp_from_flange.inverse()).translation
+
+
 def programmed(run: RecordedRobot) -> Iterator[Array]:
-    """Yield the curve (k, 3) [m] of each move in the base, without corners.
+    """Yield the curves (k, 3) [m] of moves in the base, without corners.
 
     Moves in moving frames have no such curve.
     """
-    kinematics = run.robot.kinematics
     joints = run.samples.joints[0]
-    # A pose of the arm: the TCP, and the flange relative to it.
-    tcp, tcp_from_flange = kinematics.forward(joints), Transform.identity()
-    for move in run.robot_run.moves.columns.rows:
-        if not _has_static_frames(run, move.move):
-            joints, tcp, tcp_from_flange = move.joints, move.base_from_tcp, move.tcp_from_flange
+    pose = _Pose(joints, run.robot.kinematics.forward(joints), Transform.identity())
+    for part in run.robot_run.moves.columns.rows.parts:
+        if isinstance(part, SettledLines) and _has_static_frames(run, part.rows.like):
+            yield np.concatenate([pose.start(part[0].tcp_from_flange)[None], part.end_m()])
+            pose = _end_of(part[-1])
             continue
-        start = tcp.translation
-        if move.tcp_from_flange is not tcp_from_flange:
-            # Another tool has another TCP on the same flange.
-            start = (tcp @ tcp_from_flange @ move.tcp_from_flange.inverse()).translation
-        end = move.base_from_tcp.translation
-        match move.move.interpolation:
-            case Interpolation.JOINT | Interpolation.AXES | Interpolation.EXTERNAL_AXES:
-                share = np.linspace(0.0, 1.0, _CURVE_POINTS)[:, None]
-                between = joints + share * (move.joints - joints)
-                flange_from_tcp = move.tcp_from_flange.inverse()
-                yield (kinematics.forward(between) @ flange_from_tcp).translation
-            case Interpolation.LINE:
-                yield np.stack([start, end])
-            case Interpolation.CIRCLE:
-                yield arc_through(start, _circle_point(run, move.move), end, _CURVE_POINTS)
-        joints, tcp, tcp_from_flange = move.joints, move.base_from_tcp, move.tcp_from_flange
+        for move in part:
+            if _has_static_frames(run, move.move):
+                yield _curve(run, pose, move)
+            pose = _end_of(move)
+
+
+def _end_of(move: MoveRow) -> _Pose:
+    return _Pose(move.joints, move.base_from_tcp, move.tcp_from_flange)
+
+
+def _curve(run: RecordedRobot, before: _Pose, move: MoveRow) -> Array:
+    """Return the curve (k, 3) [m] of one move from a pose."""
+    start, end = before.start(move.tcp_from_flange), move.base_from_tcp.translation
+    match move.move.interpolation:
+        case Interpolation.JOINT | Interpolation.AXES | Interpolation.EXTERNAL_AXES:
+            share = np.linspace(0.0, 1.0, _CURVE_POINTS)[:, None]
+            between = before.joints + share * (move.joints - before.joints)
+            flange_from_tcp = move.tcp_from_flange.inverse()
+            return (run.robot.kinematics.forward(between) @ flange_from_tcp).translation
+        case Interpolation.LINE:
+            return np.stack([start, end])
+        case Interpolation.CIRCLE:
+            return arc_through(start, _circle_point(run, move.move), end, _CURVE_POINTS)
 
 
 def _has_static_frames(run: RecordedRobot, move: Move) -> bool:
@@ -113,7 +137,7 @@ def _joined(curves: Iterator[Array]) -> list[Array]:
 
 def _travelled(run: RecordedRobot) -> dict[str, tuple[palette.Colour, list[Array]]]:
     """Return pieces of the travelled path by kind, in the order of first occurrence."""
-    moves = run.robot_run.moves.columns.moves
+    moves = run.robot_run.moves.columns.templates
     kinds = dict.fromkeys(move.instruction for move in moves)
     number_of = {name: number for number, name in enumerate((_CORNER, *kinds))}
     colour_of = {move.instruction: palette.of_move(move) for move in moves}

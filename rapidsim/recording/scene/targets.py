@@ -2,15 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
-from dataclasses import replace
+from collections.abc import Mapping
 
 import numpy as np
 import rerun as rr
 
+from rapidsim.controller.moves.executed_moves import Index, MoveColumns
 from rapidsim.diagnostics import Severity
 from rapidsim.frames.transform import Array, Transform
 from rapidsim.language.moves import Place
+from rapidsim.motion.kinematics.arm import Mask
 from rapidsim.recording import palette
 from rapidsim.recording.samples import RecordedRobot
 from rapidsim.simulation.results.time_shares import end_point
@@ -32,66 +33,104 @@ _SAME = 1e-6
 
 
 @value_class(frozen=True, slots=True, eq=False)
-class Target:
-    """An end point of programmed moves."""
+class Targets:
+    """End points of programmed moves (k,), in the order of their first use."""
 
-    name: str
-    still_from_tcp: Transform
-    on_line: bool
-    """Whether a line or an arc ends there."""
-    warned: bool
-    """Whether there is a finding on a move that ends there."""
-    visits: int = 1
-    """Number of moves that end there."""
+    run: RecordedRobot
+    row: Index
+    """Shape (k,): the first move that ends there."""
+    points: Array
+    """Shape (k, 3) [m], in the still frame."""
+    on_line: Mask
+    """Shape (k,): whether a line or an arc ends there."""
+    warned: Mask
+    """Shape (k,): whether there is a finding on a move that ends there."""
+    visits: Index
+    """Shape (k,): number of moves that end there."""
+
+    def __len__(self) -> int:
+        return len(self.row)
+
+    def __getitem__(self, which: Mask | slice) -> Targets:
+        """Return some of them."""
+        columns = self.row, self.points, self.on_line, self.warned, self.visits
+        return Targets(self.run, *(column[which] for column in columns))  # type: ignore[arg-type]
+
+    @property
+    def names(self) -> list[str]:
+        """Their names."""
+        places = self.run.robot_run.moves.columns.places
+        return [target_name(places[row]) for row in self.row.tolist()]
+
+    @property
+    def poses(self) -> Transform:
+        """Their poses (k,) in the still frame."""
+        rows = self.run.robot_run.moves.columns.rows
+        return Transform.stacked([self.run.still_from_end(rows[row]) for row in self.row.tolist()])
 
 
-def targets_of(run: RecordedRobot) -> tuple[Target, ...]:
-    """Return the targets of a run in the order of their first use."""
-    warned = {
-        (finding.span.file, finding.span.line)
+def targets_of(run: RecordedRobot) -> Targets:
+    """Return the targets of a run."""
+    columns = run.robot_run.moves.columns
+    points = columns.end_m
+    if run.on_track:
+        points = np.array([run.still_from_end(row).translation for row in columns.rows])
+        points = points.reshape(-1, 3)
+    leads = np.array([move.interpolation.leads_tcp for move in columns.templates], dtype=np.bool_)
+    label = _labels(np.round(points / _SAME).astype(np.int64), columns)
+    _, first, target, visits = np.unique(
+        label, return_index=True, return_inverse=True, return_counts=True
+    )
+    order = np.argsort(first)
+    on_line, warned = (
+        np.bincount(target, mask, minlength=len(first)) > 0.0
+        for mask in (leads, _warned(run, columns))
+    )
+    row = first[order]
+    return Targets(run, row, points[row], on_line[order], warned[order], visits[order])
+
+
+def _labels(places: Index, columns: MoveColumns) -> Index:
+    """Return a number (k,) for each place (k, 3), equal for the same place and name of a target."""
+    if not len(places):
+        return np.zeros(0, dtype=np.int64)
+    order = np.lexsort(places.T)
+    steps = np.any(np.diff(places[order], axis=0, prepend=places[order[:1]] - 1) != 0, axis=1)
+    label = np.empty(len(places), dtype=np.int64)
+    label[order] = np.cumsum(steps) - 1
+    # Only at places of several targets do their names matter.
+    shared = np.flatnonzero(np.bincount(label)[label] > 1)
+    named: dict[tuple[int, str], int] = {}
+    for at in shared.tolist():
+        key = int(label[at]), target_name(columns.places[at])
+        label[at] = len(places) + named.setdefault(key, len(named))
+    return label
+
+
+def _warned(run: RecordedRobot, columns: MoveColumns) -> Mask:
+    """Return for each move (k,) whether there is a finding on its line."""
+    warned = np.zeros(len(columns.rows), dtype=np.bool_)
+    spans = [
+        finding.span
         for finding in run.sampled.simulation.diagnostics
         if finding.span is not None and finding.severity is not Severity.NOTE
-    }
-    found: dict[tuple[object, ...], Target] = {}
-    columns = run.robot_run.moves.columns
-    ends = [run.still_from_end(row) for row in columns.rows]
-    translations = np.array([end.translation for end in ends]).reshape(-1, 3)
-    places = np.round(translations / _SAME).astype(np.int64).tolist()
-    programmed = zip(columns.moves, columns.places, strict=True)
-    for (move, of_text), still_from_tcp, place in zip(programmed, ends, places, strict=True):
-        span = of_text.span
-        target = Target(
-            target_name(of_text),
-            still_from_tcp,
-            move.interpolation.leads_tcp,
-            bool(warned) and (span.file, span.line) in warned,
-        )
-        key = (target.name, *place)
-        known = found.get(key)
-        if known is None:
-            found[key] = target
-        else:
-            on_line, bad = known.on_line or target.on_line, known.warned or target.warned
-            found[key] = replace(known, on_line=on_line, warned=bad, visits=known.visits + 1)
-    return tuple(found.values())
+    ]
+    if spans:
+        files = np.array([source.file for source in columns.sources], dtype=np.object_)
+        for file, line in {(span.file, span.line) for span in spans}:
+            warned |= (columns.lines == line) & (files == file)
+    return warned
 
 
-def near_targets(targets: Sequence[Target]) -> tuple[Target, ...]:
+def near_targets(targets: Targets) -> Targets:
     """Return the targets of the work: those on lines and arcs if they have an extent, else all."""
-    on_lines = tuple(target for target in targets if target.on_line)
-    return on_lines if extent(on_lines) > 0.0 else tuple(targets)
+    on_lines = targets[targets.on_line]
+    return on_lines if extent(on_lines) > 0.0 else targets
 
 
-def extent(targets: Sequence[Target]) -> float:
+def extent(targets: Targets) -> float:
     """Return the largest extent [m] of some targets along an axis; 0 for no targets."""
-    if not targets:
-        return 0.0
-    return float(np.ptp(points_of(targets), axis=0).max())
-
-
-def points_of(targets: Sequence[Target]) -> Array:
-    """Return the positions of targets (k, 3) [m]."""
-    return np.array([target.still_from_tcp.translation for target in targets])
+    return float(np.ptp(targets.points, axis=0).max()) if len(targets) else 0.0
 
 
 def target_name(place: Place) -> str:
@@ -103,7 +142,7 @@ def target_name(place: Place) -> str:
 def log_targets(
     stream: rr.RecordingStream,
     run: RecordedRobot,
-    targets: Sequence[Target],
+    targets: Targets,
     *,
     axis_m: float,
     spacing_m: float,
@@ -120,28 +159,24 @@ def log_targets(
     Returns:
         Remarks on content that the viewer cannot show correctly, one per line.
     """
-    if not targets:
+    if not len(targets):
         return ()
     stream.log(
         run.entity(f"{ENTITY}/points"),
         rr.CoordinateFrame(run.still_frame),
         rr.Points3D(
-            points_of(targets),
+            targets.points,
             radii=rr.Radius.ui_points(3.5),
-            colors=np.array(
-                [
-                    palette.rgba(palette.WARNED if target.warned else palette.TARGET)
-                    for target in targets
-                ],
-                dtype=np.uint32,
-            ),
+            colors=np.where(
+                targets.warned, palette.rgba(palette.WARNED), palette.rgba(palette.TARGET)
+            ).astype(np.uint32),
         ),
         static=True,
     )
     _log_axes(stream, run, targets[:MOST_AXES], axis_m)
     if len(targets) <= MOST_NAMES:
         near = near_targets(targets)
-        far = [target for target in targets if target not in near]
+        far = targets[~targets.on_line] if near is not targets else targets[:0]
         _log_names(stream, run, NAMES_NEAR, near, spacing_m=_APART * extent(near))
         _log_names(stream, run, NAMES_FAR, far, spacing_m=spacing_m)
         return ()
@@ -155,10 +190,10 @@ def _log_names(
     stream: rr.RecordingStream,
     run: RecordedRobot,
     entity: str,
-    targets: Sequence[Target],
+    targets: Targets,
     spacing_m: float,
 ) -> None:
-    if not targets:
+    if not len(targets):
         return
     places, names = _gathered(targets, spacing_m)
     stream.log(
@@ -176,11 +211,12 @@ def _log_names(
 
 
 def _log_axes(
-    stream: rr.RecordingStream, run: RecordedRobot, targets: Sequence[Target], axis_m: float
+    stream: rr.RecordingStream, run: RecordedRobot, targets: Targets, axis_m: float
 ) -> None:
-    origins = np.repeat([target.still_from_tcp.translation for target in targets], 3, axis=0)
+    poses = targets.poses
+    origins = np.repeat(poses.translation, 3, axis=0)
     # Columns of the rotation are the axes.
-    columns = np.stack([target.still_from_tcp.rotation.T for target in targets])
+    columns = np.swapaxes(poses.rotation, -1, -2)
     stream.log(
         run.entity(f"{ENTITY}/axes"),
         rr.CoordinateFrame(run.still_frame),
@@ -196,19 +232,19 @@ def _log_axes(
     )
 
 
-def _gathered(targets: Sequence[Target], spacing_m: float) -> tuple[Array, list[str]]:
+def _gathered(targets: Targets, spacing_m: float) -> tuple[Array, list[str]]:
     """Return places that are some distance [m] apart, with the names of all targets near each."""
     names: list[dict[str, int]] = []
     places: list[Array] = []
-    for target in targets:
-        point = target.still_from_tcp.translation
+    of_all = zip(targets.points, targets.names, targets.visits.tolist(), strict=True)
+    for point, name, visits in of_all:
         distances = [float(np.linalg.norm(place - point)) for place in places]
         nearest = int(np.argmin(distances)) if distances else -1
         if not distances or distances[nearest] > spacing_m:
             places.append(point)
             names.append({})
             nearest = len(names) - 1
-        names[nearest][target.name] = names[nearest].get(target.name, 0) + target.visits
+        names[nearest][name] = names[nearest].get(name, 0) + visits
     return np.array(places), [_label(group) for group in names]
 
 

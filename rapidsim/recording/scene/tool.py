@@ -30,7 +30,7 @@ def log_tool(stream: rr.RecordingStream, run: RecordedRobot, axis_m: float) -> N
     """Log the TCP with axes of a length [m] and the tool's body."""
     flange = run.frame(FLANGE)
     moves = run.robot_run.moves
-    programmed = moves.columns.moves
+    programmed = moves.columns.templates
     tools = changes(
         (
             moves[at]

@@ -6,14 +6,15 @@ The world is not a work object here: `wobj0` has no frames to show.
 from __future__ import annotations
 
 from collections.abc import Sequence
+from itertools import pairwise
 
 import numpy as np
 import rerun as rr
 
-from rapidsim.controller.moves.executed_move import ExecutedMove
-from rapidsim.controller.moves.executed_moves import ExecutedMoves
+from rapidsim.controller.moves.executed_moves import MoveColumns
 from rapidsim.frames.transform import Array
 from rapidsim.language.data import IDENTITY_POSE, WobjData
+from rapidsim.language.moves import Place
 from rapidsim.motion.configurations.targets import base_from_object
 from rapidsim.recording import palette
 from rapidsim.recording.frame_changes import changes, stacked
@@ -37,11 +38,11 @@ def log_work_objects(
     Returns:
         Remarks on content that the viewer cannot show correctly, one per line.
     """
-    for name, moves in _by_name(run.robot_run.moves).items():
-        _log_frames(stream, run, name, moves, axis_m)
-        _log_plate(stream, run, name, moves)
+    for name, rows in _by_name(run.robot_run.moves.columns).items():
+        _log_frames(stream, run, name, rows, axis_m)
+        _log_plate(stream, run, name, rows)
     moved = dict.fromkeys(
-        move.wobj.ufmec for move in run.robot_run.moves.columns.moves if not move.wobj.ufprog
+        move.wobj.ufmec for move in run.robot_run.moves.columns.templates if not move.wobj.ufprog
     )
     return tuple(f"work objects moved by `{unit}` are shown with it at zero" for unit in moved)
 
@@ -50,12 +51,18 @@ def _log_frames(
     stream: rr.RecordingStream,
     run: RecordedRobot,
     name: str,
-    moves: Sequence[ExecutedMove],
+    rows: Sequence[int],
     axis_m: float,
 ) -> None:
     """Log user frame and object frame; on the flange for a work object that the robot holds."""
     object_frame, flange = run.frame(name), run.frame(FLANGE)
     user_frame = f"{object_frame}.uframe"
+    programmed = run.robot_run.moves.columns.templates
+    moves = [
+        run.robot_run.moves[row]
+        for before, row in pairwise([-1, *rows])
+        if before < 0 or programmed[row].wobj is not programmed[before].wobj
+    ]
     users = changes(
         moves,
         lambda move: move.move.wobj.uframe,
@@ -80,11 +87,12 @@ def _log_frames(
 
 def object_origins(run: RecordedRobot) -> Array:
     """Return the origins of the object frames (k, 3) [m] in the base."""
+    columns = run.robot_run.moves.columns
     used = dict.fromkeys(
-        move.move.wobj
-        for group in _by_name(run.robot_run.moves).values()
-        for move in group
-        if not move.move.wobj.robhold
+        columns.templates[row].wobj
+        for rows in _by_name(columns).values()
+        for row in rows
+        if not columns.templates[row].wobj.robhold
     )
     base_from_world = run.robot_run.world_from_base.inverse()
     origins = [base_from_object(wobj, base_from_world).translation for wobj in used]
@@ -96,30 +104,40 @@ def _entity(run: RecordedRobot, name: str, part: str) -> str:
     return run.entity(rr.new_entity_path([ENTITY, name, part]).removeprefix("/"))
 
 
-def _by_name(moves: ExecutedMoves) -> dict[str, list[ExecutedMove]]:
-    """Return the moves that use a work object other than the world, by its name."""
-    found: dict[str, list[ExecutedMove]] = {}
-    both = zip(moves.columns.moves, moves.columns.places, strict=True)
-    for at, (move, place) in enumerate(both):
-        wobj = move.wobj
-        if wobj.uframe == IDENTITY_POSE and wobj.oframe == IDENTITY_POSE:
-            continue
-        name = " ".join(place.arguments.get("wobj", "wobj").split())
-        if name in (WORLD, BASE, FLANGE, TCP):
-            name = f"{name} (wobj)"
-        found.setdefault(name, []).append(moves[at])
+def _by_name(columns: MoveColumns) -> dict[str, list[int]]:
+    """Return the rows of moves that use a work object other than the world, by its name."""
+    found: dict[str, list[int]] = {}
+    last, name = None, None
+    for row, move in enumerate(columns.templates):
+        if move is not last:
+            last, wobj = move, move.wobj
+            is_world = wobj.uframe == IDENTITY_POSE and wobj.oframe == IDENTITY_POSE
+            name = None if is_world else _name(columns.places[row])
+        if name is not None:
+            found.setdefault(name, []).append(row)
     return found
 
 
+def _name(place: Place) -> str:
+    name = " ".join(place.arguments.get("wobj", "wobj").split())
+    return f"{name} (wobj)" if name in (WORLD, BASE, FLANGE, TCP) else name
+
+
 def _log_plate(
-    stream: rr.RecordingStream, run: RecordedRobot, name: str, moves: Sequence[ExecutedMove]
+    stream: rr.RecordingStream, run: RecordedRobot, name: str, rows: Sequence[int]
 ) -> None:
     """Log a named plate under the targets and the origin, in the plane of the object frame."""
+    columns = run.robot_run.moves.columns
     places: dict[WobjData, list[Array]] = {}
-    for move in moves:
-        if not move.move.wobj.robhold and move.move.wobj.ufprog and move.move.tool.robhold:
-            place = run.still_from_end(move).translation
-            places.setdefault(move.move.wobj, []).append(place)
+    for row in rows:
+        move = columns.templates[row]
+        if not move.wobj.robhold and move.wobj.ufprog and move.tool.robhold:
+            place = (
+                run.still_from_end(columns.rows[row]).translation
+                if run.on_track
+                else columns.end_m[row]
+            )
+            places.setdefault(move.wobj, []).append(place)
     in_plane = [np.zeros((1, 2))]
     for wobj, places_in_base in places.items():
         object_from_base = base_from_object(wobj, run.robot_run.world_from_base.inverse()).inverse()

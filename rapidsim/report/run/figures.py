@@ -115,6 +115,7 @@ def figures(simulation: Simulation) -> Figures:
     """Compute the figures of a run."""
     moves = simulation.moves
     corners = Counter(moves.columns.corners)
+    instructions = Counter(one.instruction for one in moves.columns.templates)
     waits, with_robot = by_line(simulation.waits), {one.task for one in simulation.robots}
     found = [
         _along_the_path(robot, offset, simulation.motion_end_s)
@@ -124,7 +125,7 @@ def figures(simulation: Simulation) -> Figures:
     margins, singularities = [margin for margin, _, _ in found], [place for _, place, _ in found]
     off_path = [off for _, _, off in found if off is not None]
     return Figures(
-        moves_by_instruction=tuple(Counter(one.instruction for one in moves.columns.moves).items()),
+        moves_by_instruction=tuple(instructions.items()),
         moves_by_corner=tuple((kind, corners[kind]) for kind in CornerKind if kind in corners),
         slowest=slowest_lines(moves, _SLOWEST),
         slowest_waits=waits[:_SLOWEST],

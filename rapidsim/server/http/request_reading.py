@@ -112,7 +112,7 @@ async def read_file(request: web.Request) -> AsyncIterator[Path]:
                 stream.write(part)
         yield file
     finally:
-        file.unlink()
+        file.unlink(missing_ok=True)
 
 
 async def _read_body(request: web.Request, most: int) -> bytes:

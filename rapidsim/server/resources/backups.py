@@ -10,7 +10,6 @@ from collections.abc import Iterator, Mapping
 from pathlib import Path
 from typing import Final
 
-from rapidsim.interpreter.linking.saved_text import text_of
 from rapidsim.server.messages import Answer, Item, Request
 from rapidsim.server.resources.codes import BAD_PARAMETER, NOT_FOUND, refused
 from rapidsim.server.resources.context import RequestContext, required_value
@@ -91,27 +90,18 @@ def backup_files(context: RequestContext, generation: int) -> Iterator[tuple[str
             folder, end = ("SYSMOD", "sys") if is_system else ("PROGMOD", "mod")
             path = f"{folder}/{module.name.text}.{end}{suffix}"
             lines.append(f"{path} @")
-            text = text_of(module) if task.task is None else task.task.text_of(module)
-            yield f"RAPID/TASK{number}/{path}", _encoded(text)
-    yield "BACKINFO/backinfo.txt", _encoded("\n".join(lines) + "\n")
+            yield f"RAPID/TASK{number}/{path}", program_memory.file_of(task, module)
+    yield "BACKINFO/backinfo.txt", program_memory.encoded("\n".join(lines) + "\n")
     for domain in parameters.domains:
         types = {
             of: [_with_arm_type(one) for one in parameters.instances(domain, of) or ()]
             for of in parameters.types(domain)
             if of != _OPTIONS
         }
-        yield f"SYSPAR/{domain}.cfg", _encoded(configuration_text(domain, types))
+        yield f"SYSPAR/{domain}.cfg", program_memory.encoded(configuration_text(domain, types))
 
 
 def _with_arm_type(instance: Mapping[str, str]) -> Mapping[str, str]:
     """Return an instance with the type of its arm in place of a name in the catalogue."""
     arm = instance.get("use_robot_type")
     return instance if arm is None else {**instance, "use_robot_type": arm_type(arm)}
-
-
-def _encoded(text: str) -> bytes:
-    """Return a text in the encoding of controllers, or in UTF-8 if that has not all of it."""
-    try:
-        return text.encode("latin-1")
-    except UnicodeEncodeError:
-        return text.encode()

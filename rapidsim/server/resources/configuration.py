@@ -6,7 +6,7 @@ import re
 from collections.abc import Mapping, Sequence
 from typing import Final
 
-from rapidsim.server.messages import DONE, NOTHING, Answer, Item, Request
+from rapidsim.server.messages import DONE, Answer, Item, Request
 from rapidsim.server.resources.codes import BAD_PARAMETER, NOT_FOUND, refused
 from rapidsim.server.resources.context import RequestContext
 
@@ -101,7 +101,7 @@ def _item(
     request: Request, domain: str, of: str, number: int, record: Mapping[str, str], suffix: str
 ) -> Item:
     name = _name(number, record)
-    kind, fields = "cfg-ia-t-li", NOTHING
+    kind, fields = "cfg-ia-t-li", dict[str, str]()
     if request.generation == 2:
         kind, fields = "cfg-ia-t", {"rdonly": "false"}
     attributes = (Item(kind, key, {"value": value}) for key, value in record.items())

@@ -34,7 +34,7 @@ class ControlStation:
     identity: str
     """GUID in braces."""
     name: str
-    releases_when_lost: bool = field(default=False, compare=False)
+    ends_with_session: bool = field(default=False, compare=False)
     """Whether the end of its session releases the write access."""
 
 
@@ -139,7 +139,7 @@ class RequestContext:
         self.sessions.pop(session, None)
         self.rights.pop(session, None)
         station = self.stations.pop(session, None)
-        if station is not None and station.releases_when_lost and station == self.writer:
+        if station is not None and station.ends_with_session and station == self.writer:
             self.writer, self.is_access_exclusive = None, False
         self.masters = {key: one for key, one in self.masters.items() if one != session}
         for name in [name for name, owner in self.owners.items() if owner == session]:

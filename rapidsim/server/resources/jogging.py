@@ -13,10 +13,10 @@ from rapidsim.simulation.live.states import RefusalReason, RequestRefused
 
 
 def jog(context: RequestContext, request: Request) -> Answer:
-    """Jog a robot by one step.
+    """Jog a robot by one step, or halt it where `by` is 0.
 
     The form has `mechunit` (default: the first robot), `frame` (joints, base, world, tool or wobj),
-    `axis` (from 1) and `by` [deg, mm].
+    `axis` (from 1) and `by` [deg, mm]. With `held` 1 the step ends where it would be impossible.
 
     Raises:
         RefusedRequest: If the robot cannot be jogged, or not so far.
@@ -25,7 +25,11 @@ def jog(context: RequestContext, request: Request) -> Answer:
     task = jogged_task(context, form)
     frame = chosen(form, "frame", JogFrame)
     axis, distance = count(form, "axis", 1) - 1, number(form, "by")
-    jogging.jog(context.live, task, frame, axis, distance)
+    if distance:
+        is_pressed = form.get("held") == "1"
+        jogging.jog(context.live, task, frame, axis, distance, is_pressed=is_pressed)
+    else:
+        task.halt_jogging()
     return DONE
 
 

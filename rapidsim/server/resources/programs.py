@@ -165,6 +165,17 @@ def module_text(
     return Answer((Item("rap-module-text", found.name.text, fields),))
 
 
+def save_module(
+    context: RequestContext, request: Request, module: str, task: str | None = None
+) -> Answer:
+    """Save a module to a file, whose extension the controller adds."""
+    of = context.live.task(task or required_value(request.query, "task"))
+    name, folder = (required_value(request.form, one) for one in ("name", "path"))
+    address = f"{folder.rstrip('/')}/{name}.mod{'' if request.generation == 1 else 'x'}"
+    context.files.write(address, program_memory.file_of(of, _module(of, module)))
+    return DONE
+
+
 def load_module(context: RequestContext, request: Request, task: str) -> Answer:
     """Load a module from a file into a task."""
     context.require_mastership("rapid", request)

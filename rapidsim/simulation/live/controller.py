@@ -290,8 +290,7 @@ class LiveController:
         if how is StopMode.CYCLE:
             self._ends_with_cycle = True
             return
-        on_path = how is not StopMode.INSTRUCTION
-        self._stop_tasks("", on_path=on_path, is_quick=how is StopMode.QUICK)
+        self._stop_tasks("", how)
         self.settle()
         self._show_states()
 
@@ -436,12 +435,13 @@ class LiveController:
     def stop_all(self, reason: str) -> None:
         """Stop all tasks, as one of the programs requests."""
         self.stopped_by = reason
-        self._stop_tasks(f" by {reason}", on_path=True)
+        self._stop_tasks(f" by {reason}")
 
-    def _stop_tasks(self, by: str, *, on_path: bool, is_quick: bool = False) -> None:
+    def _stop_tasks(self, by: str, how: StopMode = StopMode.STOP) -> None:
         for task in self.normal_tasks:
+            task.halt_jogging()
             if task.executes:
-                task.stop(on_path=on_path, is_quick=is_quick)
+                task.stop(on_path=how is not StopMode.INSTRUCTION, is_quick=how is StopMode.QUICK)
                 text = f"{task.name} has been stopped{by}."
                 self.log.operational(event_log.STOPPED, self.now_s, text, task.name)
 

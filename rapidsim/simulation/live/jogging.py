@@ -1,24 +1,20 @@
 """Jogging: steps of a robot by an operator, in manual mode while no program executes.
 
 A step goes from rest to rest, no faster than manual mode permits. A robot whose program was stopped
-on its path is not jogged, for the path would then begin where the robot no longer is.
+on its path is not jogged, for the path would then begin where the robot no longer is. While a
+button is held, steps are as long as they may be, and end when it is released.
 """
 
 from __future__ import annotations
 
-import math
+from dataclasses import replace
 from typing import TYPE_CHECKING, Final
 
-import numpy as np
-
-from rapidsim.frames.transform import Array, Transform
+from rapidsim.frames.transform import Transform
 from rapidsim.language.data import WobjData
 from rapidsim.motion.configurations import targets
 from rapidsim.motion.configurations.jog_steps import JogArm, JogFrame, JogStep
-from rapidsim.motion.geometry.segments import Waypoint
-from rapidsim.motion.guidance.joint_law import CYCLE_S, GuidedAxes
-from rapidsim.motion.guidance.return_motion import return_motion
-from rapidsim.motion.trajectory.guided_section import GuidedSection
+from rapidsim.simulation.live.jog_motion import begin_step
 from rapidsim.simulation.live.states import (
     ControllerState,
     OperatingMode,
@@ -30,13 +26,8 @@ if TYPE_CHECKING:
     from rapidsim.simulation.live.controller import LiveController
     from rapidsim.simulation.live.live_task import LiveTask
 
-_TCP_SPEED: Final = 0.25
-"""Fastest TCP [m/s] in manual mode."""
-_AXIS_SHARE: Final = 0.25
-"""Share of the speed of axes that a step uses."""
-_RAMPED: Final = 1.875
-"""Peak speed of a step over its mean."""
-_PLACES: Final = 21
+_HALVINGS: Final = 7
+"""Trials to find how much of a step that is too long is possible."""
 
 
 def jog_arm(task: LiveTask) -> JogArm:
@@ -85,7 +76,15 @@ def reason_against_jogging(live: LiveController, task: LiveTask) -> str | None:
     return None
 
 
-def jog(live: LiveController, task: LiveTask, frame: JogFrame, axis: int, distance: float) -> None:
+def jog(
+    live: LiveController,
+    task: LiveTask,
+    frame: JogFrame,
+    axis: int,
+    distance: float,
+    *,
+    is_pressed: bool = False,
+) -> None:
     """Jog a robot by a step, after those that it still makes.
 
     Args:
@@ -94,6 +93,7 @@ def jog(live: LiveController, task: LiveTask, frame: JogFrame, axis: int, distan
         frame: Along whose axes.
         axis: Axis of the arm; or x, y, z, rx, ry, rz of the frame, from 0.
         distance: [deg, mm]
+        is_pressed: Whether a button is held: the step may be shorter, and does not follow another.
 
     Raises:
         RequestRefused: If the robot cannot be jogged, or not so far.
@@ -101,35 +101,35 @@ def jog(live: LiveController, task: LiveTask, frame: JogFrame, axis: int, distan
     reason = reason_against_jogging(live, task)
     if reason is not None:
         raise RequestRefused(RefusalReason.STATE, reason)
+    start_s = max(live.now_s, task.unit.member.trajectory.duration)
+    if is_pressed and start_s > live.now_s:
+        return
     arm = jog_arm(task)
     step = step_of(task, arm, frame, axis, distance)
     reason = arm.reason_against(step)
+    if is_pressed and reason is not None:
+        step = _longest(arm, step)
+        reason = arm.reason_against(step) if step.distance else reason
     if reason is not None:
         raise RequestRefused(RefusalReason.VALUE, reason)
-    member = task.unit.member
-    stands = member.standing()
-    start_s = max(live.now_s, member.trajectory.duration)
     if start_s > live.now_s + 1.0:
         raise RequestRefused(RefusalReason.STATE, "the robot still moves")
-    section = GuidedSection(
-        start_s,
-        CYCLE_S,
-        arm.robot.forward,
-        arm.tcp_from_flange,
-        stands.external,
-        stands.joints,
-    )
-    joints = _motion(task, arm, step)
-    if isinstance(joints, str):
-        raise RequestRefused(RefusalReason.VALUE, joints)
-    speeds = np.gradient(joints, CYCLE_S, axis=0)
-    speeds[-1] = 0.0
-    member.trajectory.guide(section)
-    for row, speed in zip(joints[1:], speeds[1:], strict=True):
-        section.append(row, speed)
-    task.unit.queue.begin_again(section.end_s)
-    member.end = Waypoint(section.end, arm.robot.forward(section.end), stands.external)
-    member.start_is_free = False
+    motion = begin_step(task.unit, arm, step, start_s)
+    if isinstance(motion, str):
+        raise RequestRefused(RefusalReason.VALUE, motion)
+    task.jogged = motion
+
+
+def _longest(arm: JogArm, step: JogStep) -> JogStep:
+    """Return as much of a step as is possible, none of it perhaps."""
+    possible, tried = 0.0, 0.5
+    for halving in range(_HALVINGS):
+        if arm.reason_against(replace(step, distance=tried * step.distance)) is None:
+            possible = tried
+            tried += 0.5 ** (halving + 2)
+        else:
+            tried -= 0.5 ** (halving + 2)
+    return replace(step, distance=possible * step.distance)
 
 
 def step_of(task: LiveTask, arm: JogArm, frame: JogFrame, axis: int, distance: float) -> JogStep:
@@ -142,25 +142,3 @@ def step_of(task: LiveTask, arm: JogArm, frame: JogFrame, axis: int, distance: f
     if isinstance(step, str):
         raise RequestRefused(RefusalReason.VALUE, step)
     return step
-
-
-def _motion(task: LiveTask, arm: JogArm, step: JogStep) -> Array | str:
-    """Joints (k, n) [rad], one a cycle from the start on; or why the step is impossible."""
-    coarse = arm.along(step, np.linspace(0.0, 1.0, _PLACES))
-    if isinstance(coarse, str):
-        return coarse
-    limits, count = task.unit.member.limits, len(arm.joints)
-    flange = arm.robot.forward(coarse)
-    tcp = (flange @ arm.tcp_from_flange.inverse()[None]).translation
-    travelled = float(np.linalg.norm(np.diff(tcp, axis=0), axis=1).sum())
-    # The path as one axis, whose speed and acceleration all axes of the arm can follow.
-    rates = np.abs(np.diff(coarse, axis=0)).max(axis=0) * (_PLACES - 1)
-    fastest, hardest = limits.max_speed[:count], limits.max_acceleration[:count]
-    speed = float(np.min(_AXIS_SHARE * fastest / np.maximum(rates, 1e-9)))
-    acceleration = float(np.min(_AXIS_SHARE * hardest / np.maximum(rates, 1e-9)))
-    one = np.ones(1)
-    axes = GuidedAxes(0.0 * one, one, speed * one, acceleration * one)
-    ramp = return_motion(axes, 0.0 * one, one, max(0.1, _RAMPED * travelled / _TCP_SPEED))
-    cycles = math.ceil(ramp.duration_s / CYCLE_S)
-    shares = np.array([ramp.at(CYCLE_S * k)[0][0] for k in range(cycles + 1)])
-    return arm.along(step, shares)

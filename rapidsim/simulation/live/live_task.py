@@ -20,6 +20,7 @@ from rapidsim.interpreter.tools.step_positions import StepGranularity
 from rapidsim.interpreter.tools.stepping import Stepper
 from rapidsim.language.errors import CycleEnded, Stopped
 from rapidsim.language.moves import Place
+from rapidsim.simulation.live.jog_motion import JogMotion
 from rapidsim.simulation.live.scheduler import LiveScheduler
 from rapidsim.simulation.live.states import (
     ExecutionMode,
@@ -89,6 +90,8 @@ class LiveTask:
     next start on."""
     has_ended: bool = False
     """Whether main has returned, and not been started again."""
+    jogged: JogMotion | None = None
+    """The last step of the robot in manual mode."""
     _begins_again: bool = False
     """Whether a start after the end of main lets main begin again."""
     _has_started: bool = False
@@ -253,6 +256,12 @@ class LiveTask:
                 self.scheduler.now_s, on_path=on_path, is_quick=is_quick
             )
             self.scheduler.wake(self.run.controller.clock)
+
+    def halt_jogging(self) -> None:
+        """Brake a robot that is jogged."""
+        if self.jogged is not None:
+            self.jogged.halt(self.scheduler.now_s)
+            self.jogged = None
 
     def forget(self, before_s: float) -> None:
         """Discard the robot's history before a time [s], unless it may still move back along it."""

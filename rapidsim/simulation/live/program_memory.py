@@ -5,6 +5,7 @@ from __future__ import annotations
 from rapidsim.diagnostics import Source
 from rapidsim.files import InputError, decode
 from rapidsim.interpreter.linking.loader import FatalError
+from rapidsim.interpreter.linking.saved_text import text_of
 from rapidsim.language.errors import RapidError
 from rapidsim.language.modules import Modules
 from rapidsim.library.loading import LARGEST_FILE
@@ -104,3 +105,16 @@ def _memory(task: LiveTask) -> Modules:
             RefusalReason.STATE, f"the program of {task.name} cannot be made ready: {task.failure}"
         )
     return task.run.controller.concerns.modules
+
+
+def file_of(task: LiveTask, module: tree.Module) -> bytes:
+    """Return a module as a file, with the current values of its persistents."""
+    return encoded(text_of(module) if task.task is None else task.task.text_of(module))
+
+
+def encoded(text: str) -> bytes:
+    """Return a text in the encoding of controllers, or in UTF-8 if that has not all of it."""
+    try:
+        return text.encode("latin-1")
+    except UnicodeEncodeError:
+        return text.encode()

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import replace
+from typing import Final
 
 from rapidsim.analysis.literals import Value
 from rapidsim.analysis.program import DataSymbol, Scope, Storage
@@ -19,6 +20,9 @@ from rapidsim.library.text import parsed_value, value_text
 from rapidsim.simulation.live.live_task import LiveTask
 from rapidsim.simulation.live.states import RefusalReason, RequestRefused
 from rapidsim.values import value_class
+
+_OF_MODULES: Final = frozenset(("base", name) for name in ("tool0", "wobj0", "load0"))
+"""Predefined data that controllers have in a module."""
 
 
 @value_class(frozen=True, slots=True)
@@ -83,7 +87,8 @@ def _find_whole(task: LiveTask, name: str, module: str | None) -> TaskDatum:
     if symbol is not None:
         return _datum(symbol)
     predefined = DATA.get(name.lower())
-    if predefined is None or module is not None:
+    is_elsewhere = module is not None and (module.lower(), name.lower()) not in _OF_MODULES
+    if predefined is None or is_elsewhere:
         raise RequestRefused(RefusalReason.NO_SYMBOL, f"{task.name} has no data named {name}")
     storage = Storage.CONST if predefined.constant else Storage.VAR
     storage = Storage.PERS if predefined.persistent else storage

@@ -17,7 +17,8 @@ from rapidsim.controller.moves.executed_move import ExecutedMove
 from rapidsim.frames.transform import Array
 from rapidsim.motion.geometry.curves import Index
 from rapidsim.motion.timing.constraints import Limiter, Quantity
-from rapidsim.motion.trajectory.command import Piece
+from rapidsim.motion.timing.time_scaling import Numbers
+from rapidsim.motion.trajectory.command import Piece, groups
 from rapidsim.motion.trajectory.trajectory import Trajectory
 from rapidsim.simulation.results.simulation import RobotRun, Simulation
 from rapidsim.values import value_class
@@ -42,76 +43,105 @@ class ActiveLimit:
 _NOTHING = ActiveLimit(Quantity.NOTHING, "")
 
 
+@value_class(frozen=True, slots=True, eq=False)
+class _Cells:
+    """Cells (k,) of a piece of the motion, and their active limits."""
+
+    piece: Piece
+    place: float
+    """Position S [m] of the run at the start of the piece."""
+    first: int
+    """Index of the first cell among those of its timing."""
+    numbers: Numbers
+    """Shape (k,): index of the active limit."""
+
+    @property
+    def nodes(self) -> Array:
+        """Positions [m] at the ends of the cells on the path of the piece, shape (k + 1,)."""
+        nodes = self.piece.timing.s[self.first : self.first + len(self.numbers) + 1]
+        return np.clip(nodes, self.piece.from_s, self.piece.to_s)
+
+    @property
+    def starts(self) -> Array:
+        """Position S [m] of the run at the start of each cell, shape (k,)."""
+        return self.place + self.nodes[:-1] - self.piece.from_s
+
+    @property
+    def segments(self) -> Index:
+        """Segment of each cell, shape (k,)."""
+        return np.searchsorted(self.piece.path.segment_starts, self.nodes[:-1], "right") - 1
+
+
 @value_class(frozen=True, eq=False)
 class ActiveLimits:
-    """Active limits of the motion of a robot in cells (k,), in order."""
+    """Active limits of the motion of a robot."""
 
     trajectory: Trajectory
     limits: tuple[ActiveLimit, ...]
-    places: Array
-    """Start of each cell, shape (k,): position S [m] of the run."""
-    moves: Index
-    """Number of the move of each cell, shape (k,)."""
-    numbers: Index
-    """Index of the active limit of each cell among `limits`, shape (k,)."""
-    times: Array
-    """Duration (k,) [s], without rest."""
+    cells: Sequence[_Cells]
+    """Those of each piece, in order."""
 
     def at(self, times: Array) -> Index:
         """Return indices (m,) of the active limits at times (m,) [s] among `limits`."""
-        if not len(self.places):
-            return np.zeros(len(times), dtype=np.int64)
-        places = self.trajectory.place_at(times)
-        cell = np.searchsorted(self.places[1:], places, side="right")
-        found: Index = self.numbers[cell]
+        found = np.zeros(len(times), dtype=np.int64)
+        if self.cells:
+            places = self.trajectory.place_at(times)
+            starts = np.array([cells.starts[0] for cells in self.cells[1:]])
+            for number, at in groups(np.searchsorted(starts, places, side="right")):
+                cells = self.cells[number]
+                cell = np.searchsorted(cells.starts[1:], places[at], side="right")
+                found[at] = cells.numbers[cell]
         return found
 
     @cached_property
     def of_moves(self) -> tuple[str, ...]:
         """Limit that is active for most of the time of each move, empty if it takes no time."""
-        count, kinds = int(self.moves.max(initial=-1)) + 1, len(self.limits)
-        total = np.bincount(self.moves * kinds + self.numbers, self.times, count * kinds)
-        most = total.reshape(count, kinds).argmax(axis=1).tolist()
+        ends = (one.piece.first + len(one.piece.path.segments) for one in self.cells)
+        kinds = len(self.limits)
+        total = np.zeros(max(ends, default=0) * kinds)
+        for cells in self.cells:
+            moves = cells.piece.first + cells.segments
+            times = np.diff(cells.piece.timing.time_at(cells.nodes))
+            np.add.at(total, moves * kinds + cells.numbers, times)
+        most = total.reshape(-1, kinds).argmax(axis=1).tolist()
         return tuple(self.limits[number].text for number in most)
 
 
 def active_limits(simulation: Simulation, robot_run: RobotRun) -> ActiveLimits:
     """Return the active limits of a robot's motion."""
     limits: dict[ActiveLimit, int] = {_NOTHING: 0}
-    columns: list[tuple[Array, Index, Index, Array]] = []
+    all_cells: list[_Cells] = []
     teams = _teams(simulation, robot_run)
     place = 0.0
     for piece in robot_run.trajectory.command.pieces:
         s, timing = piece.timing.s, piece.timing
         first = max(int(np.searchsorted(s, piece.from_s, side="right")) - 1, 0)
         after = max(int(np.searchsorted(s, piece.to_s, side="left")), first + 1)
-        nodes = np.clip(s[first : after + 1], piece.from_s, piece.to_s)
-        times = np.diff(timing.time_at(nodes))
-        segment = np.searchsorted(piece.path.segment_starts, nodes[:-1], side="right") - 1
-        numbers = np.zeros(len(segment), dtype=np.int64)
+        # The last cell ends at the last node.
+        after = min(after, len(s) - 1)
+        numbers = np.zeros(after - first, dtype=np.int16)
+        cells = _Cells(piece, place, first, numbers)
         if timing.active is not None:
             team = teams[id(piece.path), piece.first]
             active = timing.active[first:after]
             kinds = len(timing.limiters)
             # The limits of a robot alone have the same names on all segments.
             is_alone = len(team) == 1 and piece.path.belts is None
-            of_segment = active if is_alone else segment * kinds + active
-            cases, case = np.unique(of_segment, return_inverse=True)
-            found = []
-            for number, kind in (divmod(each, kinds) for each in cases.tolist()):
-                limit = _limit(timing.limiters[kind], number, robot_run, team)
-                found.append(limits.setdefault(limit, len(limits)))
-            numbers = np.array(found)[case]
-        columns.append((place + nodes[:-1] - piece.from_s, piece.first + segment, numbers, times))
+            segment = cells.segments
+            by_segment = segment * kinds + active
+            _, cell, case = np.unique(
+                active if is_alone else by_segment, return_index=True, return_inverse=True
+            )
+            found = np.zeros(len(cell), dtype=np.int16)
+            for row in np.argsort(by_segment[cell]).tolist():
+                limiter, number = timing.limiters[active[cell[row]]], int(segment[cell[row]])
+                limit = _limit(limiter, number, robot_run, team)
+                found[row] = limits.setdefault(limit, len(limits))
+            numbers[:] = found[case]
+        if len(numbers):
+            all_cells.append(cells)
         place += piece.to_s - piece.from_s
-    if not columns:
-        nothing = np.zeros(0, dtype=np.int64)
-        return ActiveLimits(
-            robot_run.trajectory, tuple(limits), np.zeros(0), nothing, nothing, np.zeros(0)
-        )
-    return ActiveLimits(
-        robot_run.trajectory, tuple(limits), *map(np.concatenate, zip(*columns, strict=True))
-    )
+    return ActiveLimits(robot_run.trajectory, tuple(limits), all_cells)
 
 
 def limits_of_moves(simulation: Simulation) -> Mapping[int, str]:
@@ -151,7 +181,8 @@ def _limit(limiter: Limiter, segment: int, robot_run: RobotRun, team: _Team) -> 
     """Return the limit of a segment of a piece, from the point of view of one robot of a team."""
     text, axis = str(limiter), limiter.axis
     if any(
-        one is robot_run and piece.path.segments[segment].slowed_for_belt for one, piece in team
+        one is robot_run and piece.path.belts and piece.path.segments[segment].slowed_for_belt
+        for one, piece in team
     ):
         text = _BELT
     elif limiter.robot is not None:

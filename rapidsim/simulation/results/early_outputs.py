@@ -95,9 +95,10 @@ def _during_fly_by(
     if not set_by_task:
         return
     columns = robot_run.moves.columns
-    by_moves = {(place.span.file, place.span.start) for place in columns.places}
+    files = np.array([source.file for source in columns.sources], dtype=np.object_)
     for event, place in set_by_task:
-        if place.routine.lower() in traps or (place.span.file, place.span.start) in by_moves:
+        of_moves = (columns.starts == place.span.start) & (files == place.span.file)
+        if place.routine.lower() in traps or of_moves.any():
             # Outputs of the move itself are set at its target.
             continue
         latest_s = event.time_s + _AT_ONCE_S

@@ -37,8 +37,8 @@ class Region:
 def by_comment(moves: ExecutedMoves, waits: Sequence[Wait]) -> tuple[Region, ...]:
     """Time after each comment of a routine, the longest first; empty without comments."""
     found: dict[tuple[str, str, int], Region] = {}
-    places = (*moves.columns.places, *(wait.place for wait in waits))
-    sources = {one.file: one.source for one in (place.span for place in reversed(places))}
+    texts = (*moves.columns.sources, *(wait.place.span.source for wait in waits))
+    sources = {source.file: source for source in reversed(texts)}
     heads = {file: _heads(source) for file, source in sources.items()}
     if not any(any(of_file) for of_file in heads.values()):
         return ()

@@ -65,7 +65,7 @@ class RobotRun:
     """Pose of the base, with all external axes at zero."""
     moves: ExecutedMoves
     """Moves; their indices, and those of the samples, count the moves of this robot."""
-    lines: tuple[ExecutedLine, ...]
+    lines: Sequence[ExecutedLine]
     trajectory: Trajectory
     path_m: float
     """Travel of the TCP, with corners cut."""
@@ -224,7 +224,7 @@ class Simulation:
         return self.only.world_from_base
 
     @property
-    def lines(self) -> tuple[ExecutedLine, ...]:
+    def lines(self) -> Sequence[ExecutedLine]:
         """The lines that the task of the only robot executed."""
         return self.only.lines
 

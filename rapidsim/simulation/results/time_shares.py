@@ -66,13 +66,14 @@ def by_line(steps: Iterable[Step]) -> tuple[Share, ...]:
 def slowest_lines(moves: ExecutedMoves, most: int) -> tuple[Share, ...]:
     """Return the first of `by_line`, at most so many, without adding up the others exactly."""
     columns = moves.columns
-    numbers: dict[tuple[object, ...], int] = {}
-    spans = (place.span for place in columns.places)
-    keys = zip(columns.tasks, spans, strict=True)
-    line = np.array(
-        [numbers.setdefault((task, span.file, span.start), len(numbers)) for task, span in keys],
+    numbers: dict[tuple[str, str], int] = {}
+    texts = zip(columns.tasks, columns.sources, strict=True)
+    text = np.array(
+        [numbers.setdefault((task, source.file), len(numbers)) for task, source in texts],
         dtype=np.int64,
     )
+    apart = int(columns.starts.max(initial=0)) + 1
+    line = np.unique(text * apart + columns.starts, return_inverse=True)[1]
     seconds = np.bincount(line, columns.end_s - columns.start_s)
     # Rounding depends on the order of the sum; a tie is won by the line that comes first.
     least = np.partition(seconds, -most)[-most] if len(seconds) > most else 0.0

@@ -113,6 +113,7 @@ async function drawRobot(task) {
     drawn.jog = jogPanel($("jog"), {
       read: (chosen) => ask(`jog?${new URLSearchParams({ mechunit: task.mechunit, ...chosen })}`),
       move: (step) => act("/rw/motionsystem", "jog", { mechunit: task.mechunit, ...step }),
+      held: true,
       units: task.measures.map((one) => (one === "mm" ? " mm" : "°")),
     });
   }

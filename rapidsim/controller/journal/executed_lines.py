@@ -1,0 +1,104 @@
+"""Statements that the program pointer reached; those of announced moves are columns."""
+
+from __future__ import annotations
+
+from bisect import bisect_right
+from collections.abc import Iterator, Sequence
+from itertools import accumulate
+from typing import TypeAlias, overload
+
+import numpy as np
+
+from rapidsim.controller.journal.events import ExecutedLine
+from rapidsim.frames.transform import Array
+from rapidsim.language.moves import AnnouncedTargets, Place
+from rapidsim.values import value_class
+
+DatedPlace: TypeAlias = tuple[float, Place]
+"""A time [s], and the place that was reached then."""
+
+
+@value_class(frozen=True, slots=True, eq=False)
+class _Rows(Sequence[DatedPlace]):
+    """Successive statements (k,) with announced targets."""
+
+    times: Array
+    """Shape (k,) [s]."""
+    targets: AnnouncedTargets
+    first: int
+
+    def __len__(self) -> int:
+        return len(self.times)
+
+    @overload
+    def __getitem__(self, at: int) -> DatedPlace: ...
+    @overload
+    def __getitem__(self, at: slice) -> Sequence[DatedPlace]: ...
+
+    def __getitem__(self, at: int | slice) -> DatedPlace | Sequence[DatedPlace]:
+        if isinstance(at, slice):
+            return tuple(map(self.__getitem__, range(len(self))[at]))
+        return float(self.times[at]), self.targets.place(self.first + range(len(self))[at])
+
+
+def in_parts(lines: Sequence[DatedPlace]) -> Iterator[Sequence[DatedPlace]]:
+    """Divide statements into those of announced targets, as columns, and others as they are."""
+    begin = 0
+    for end in range(1, len(lines) + 1):
+        if end < len(lines) and _is_next(lines[end - 1][1], lines[end][1]):
+            continue
+        row, part = lines[begin][1].row, lines[begin:end]
+        times = np.array([time_s for time_s, _ in part])
+        yield part if row is None else _Rows(times, row.targets, row.number)
+        begin = end
+
+
+def _is_next(before: Place, after: Place) -> bool:
+    one, other = before.row, after.row
+    if one is None or other is None:
+        return one is other
+    return one.targets is other.targets and other.number == one.number + 1
+
+
+class ExecutedLines(Sequence[ExecutedLine]):
+    """Statements of a task in order of time; each is created when it is needed."""
+
+    __slots__ = ("_begins", "_order", "_parts", "_task", "times")
+
+    def __init__(self, task: str, parts: Sequence[Sequence[DatedPlace]]) -> None:
+        """Sort the statements of a task by time; at the same time, they retain their order."""
+        self._task, self._parts = task, tuple(part for part in parts if len(part))
+        self._begins = list(accumulate(map(len, self._parts), initial=0))
+        columns = [
+            part.times if isinstance(part, _Rows) else np.array([time_s for time_s, _ in part])
+            for part in self._parts
+        ]
+        times = np.concatenate([np.zeros(0), *columns])
+        self._order = np.argsort(times, kind="stable")
+        self.times: Array = times[self._order]
+        """Shape (k,) [s]."""
+
+    def __len__(self) -> int:
+        """Number of statements."""
+        return len(self.times)
+
+    @overload
+    def __getitem__(self, at: int) -> ExecutedLine: ...
+    @overload
+    def __getitem__(self, at: slice) -> Sequence[ExecutedLine]: ...
+
+    def __getitem__(self, at: int | slice) -> ExecutedLine | Sequence[ExecutedLine]:
+        """Return a statement, or those of a slice."""
+        if isinstance(at, slice):
+            return tuple(map(self.__getitem__, range(len(self))[at]))
+        number = int(self._order[at])
+        part = bisect_right(self._begins, number) - 1
+        time_s, place = self._parts[part][number - self._begins[part]]
+        return ExecutedLine(time_s, self._task, place)
+
+
+def times_of(lines: Sequence[ExecutedLine]) -> Array:
+    """Return the times (k,) [s] of statements."""
+    if isinstance(lines, ExecutedLines):
+        return lines.times
+    return np.array([line.time_s for line in lines], dtype=np.float64)

@@ -1,0 +1,181 @@
+"""The words of clients: each has its effect, and others are refused."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import pytest
+from every_route import act, stopped, switched_on
+
+from rapidsim.server.engine import Engine
+from rapidsim.server.messages import ChangeEvent, Notification, Request, Subscribe
+
+
+@pytest.fixture(scope="module")
+def switched(
+    tmp_path_factory: pytest.TempPathFactory,
+) -> Iterator[tuple[Engine, list[Notification]]]:
+    with switched_on(tmp_path_factory.mktemp("words")) as found:
+        yield found
+
+
+@pytest.mark.parametrize(
+    ("path", "action", "form", "shown", "value"),
+    [
+        ("panel/opmode", "setopmode", {"opmode": "man"}, "panel/opmode", "MANR"),
+        ("panel/opmode", "setopmode", {"opmode": "manfs"}, "panel/opmode", "MANF"),
+        ("panel/opmode", "setopmode", {"opmode": "manr"}, "panel/opmode", "MANR"),
+        ("panel/opmode", "setopmode", {"opmode": "auto"}, "panel/opmode", "AUTO"),
+        (
+            "panel/ctrlstate",
+            "setctrlstate",
+            {"ctrl_state": "motoron"},
+            "panel/ctrlstate",
+            "motoron",
+        ),
+        (
+            "panel",
+            "emergencystop",
+            {"emergency_stop": "pressed"},
+            "panel/ctrlstate",
+            "emergencystop",
+        ),
+        (
+            *("panel", "emergencystop", {"emergency_stop": "released"}),
+            *("panel/ctrlstate", "emergencystopreset"),
+        ),
+        (
+            "panel/ctrlstate",
+            "setctrlstate",
+            {"ctrl_state": "motoroff"},
+            "panel/ctrlstate",
+            "motoroff",
+        ),
+        ("rapid/execution", "setcycle", {"cycle": "once"}, "rapid/execution", "once"),
+        ("rapid/execution", "setcycle", {"cycle": "forever"}, "rapid/execution", "forever"),
+    ],
+)
+def test_a_word_has_its_effect(
+    switched: tuple[Engine, list[Notification]],
+    path: str,
+    action: str,
+    form: dict[str, str],
+    shown: str,
+    value: str,
+) -> None:
+    engine, _ = switched
+    act(engine.reply, f"/rw/{path}", action, **form)
+    reply = engine.reply(Request("GET", f"/rw/{shown}"))
+    assert value in reply.items[0].fields.values()  # type: ignore[union-attr]
+
+
+@pytest.mark.parametrize(
+    ("path", "action", "name", "done", "refused"),
+    [
+        ("panel", "restart", "restart-mode", ("restart", "pstart", "istart"), ("xstart", "")),
+        ("rapid/execution", "stop", "stopmode", ("cycle", "instr", "stop", "qstop"), ("now",)),
+        ("rapid/execution", "setcycle", "cycle", ("once", "forever"), ("twice",)),
+        ("panel/opmode", "setopmode", "opmode", ("manr", "AUTO"), ("coldet",)),
+    ],
+)
+def test_other_words_are_refused(
+    switched: tuple[Engine, list[Notification]],
+    path: str,
+    action: str,
+    name: str,
+    done: tuple[str, ...],
+    refused: tuple[str, ...],
+) -> None:
+    engine, _ = switched
+    for words, status in ((done, 204), (refused, 400)):
+        for word in words:
+            stopped(engine.reply)
+            request = Request("POST", f"/rw/{path}", {"action": action}, {name: word}, 1)
+            assert engine.reply(request).status == status, word
+
+
+def test_steps_backwards_are_refused(switched: tuple[Engine, list[Notification]]) -> None:
+    engine, _ = switched
+    for word in ("stepback", "steplast"):
+        stopped(engine.reply)
+        form = {"execmode": word}
+        reply = engine.reply(Request("POST", "/rw/rapid/execution", {"action": "start"}, form, 1))
+        assert reply.status == 400
+        assert word in str(reply)
+
+
+def test_an_axis_is_jogged_as_far_as_said_or_until_it_is_released(
+    switched: tuple[Engine, list[Notification]],
+) -> None:
+    engine, _ = switched
+
+    def jog(**form: str) -> int:
+        where = "/rw/motionsystem"
+        return engine.reply(Request("POST", where, {"action": "jog"}, form, 1)).status
+
+    def joints(wait_s: float) -> list[float]:
+        engine.live.advance(engine.live.now_s + wait_s)
+        reply = engine.reply(Request("GET", "/rw/motionsystem/mechunits/ROB_1/jointtarget"))
+        fields = reply.items[0].fields  # type: ignore[union-attr]
+        return [float(fields[f"rax_{number}"]) for number in range(1, 7)]
+
+    stopped(engine.reply)
+    act(engine.reply, "/rw/panel/opmode", "setopmode", opmode="manr")
+    act(engine.reply, "/rw/panel/ctrlstate", "setctrlstate", ctrl_state="motoron")
+    before = joints(0.0)
+    assert jog(frame="joints", by="5") == 204
+    assert [a - b for a, b in zip(joints(5.0), before, strict=True)] == pytest.approx([5] + 5 * [0])
+    assert jog(frame="joints", axis="2", by="-5", mechunit="rob_1") == 204
+    assert joints(5.0)[1] == pytest.approx(before[1] - 5.0)
+    # Only a step of a button that is held may be shorter.
+    while (status := jog(frame="joints", axis="2", by="30")) == 204:
+        joints(5.0)
+    assert (status, jog(frame="joints", axis="2", by="30", held="1")) == (400, 204)
+    furthest = joints(5.0)[1]
+    assert jog(frame="joints", axis="2", by="-30", held="1") == 204
+    assert furthest - 10.0 < joints(0.3)[1] < furthest
+    assert jog(frame="joints", by="0") == 204
+    halted = joints(0.5)[1]
+    assert furthest - 20.0 < halted < furthest
+    assert joints(5.0)[1] == halted
+
+
+def test_the_mastership_of_edit_is_that_of_programs_and_configuration(
+    switched: tuple[Engine, list[Notification]],
+) -> None:
+    engine, _ = switched
+
+    def ask(path: str, session: int, generation: int, action: str = "", **form: str) -> int:
+        query = {"action": action} if action else {}
+        return engine.reply(Request("POST", path, query, form, session, generation)).status
+
+    for domain, also in (("edit", ("cfg", "rapid")), ("motion", ("motion",))):
+        assert ask(f"/rw/mastership/{domain}/request", 1, 2) == 204
+        for one in ("cfg", "motion", "rapid"):
+            status = ask(f"/rw/mastership/{one}", 2, 1, "request")
+            assert status == (403 if one in also else 204)
+            ask(f"/rw/mastership/{one}", 2, 1, "release")
+        assert ask(f"/rw/mastership/{domain}/release", 1, 2) == 204
+
+
+def test_states_that_are_subscribed_to_have_events_of_their_own_class(
+    switched: tuple[Engine, list[Notification]],
+) -> None:
+    engine, told = switched
+    stopped(engine.reply)
+    expected = {
+        "/rw/panel/ctrlstate;ctrlstate": ("pnl-ctrlstate-ev", "ctrlstate"),
+        "/rw/panel/ctrl-state;ctrlstate": ("pnl-ctrlstate-ev", "ctrlstate"),
+        "/rw/panel/ctrl-state": ("pnl-ctrlstate-ev", "ctrlstate"),
+        "/rw/panel/opmode;opmode": ("pnl-opmode-ev", "opmode"),
+        "/rw/panel/speedratio;speedratio": ("pnl-speedratio-ev", "speedratio"),
+        "/rw/panel/coldetstate;coldetstate": ("pnl-coldetstate-ev", "coldetstate"),
+        "/rw/rapid/execution;ctrlexecstate": ("rap-ctrlexecstate-ev", "ctrlexecstate"),
+        "/rw/rapid/execution;rapidexeccycle": ("rap-execcycle-ev", "cycle"),
+        "/rw/rapid/symbol/data/RAPID/T_ROB1/k;value": ("rap-value-ev", "value"),
+        "/rw/iosystem/signals/diGo;state": ("ios-signalstate-ev", "lvalue"),
+    }
+    told.clear()
+    engine.reply(Subscribe(tuple(expected), 1, 1, (1,) * len(expected)))
+    events = {one.resource: one.items[0] for one in told if isinstance(one, ChangeEvent)}
+    assert {key: (one.kind, next(iter(one.fields))) for key, one in events.items()} == expected
