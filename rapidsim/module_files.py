@@ -414,7 +414,7 @@ def _in_program_file(path: Path) -> tuple[list[Path], list[str]]:
         if name.lower() in beside:
             modules.append(beside[name.lower()])
         else:
-            missing.append(f"{name} (listed by {path.name}, not beside it)")
+            missing.append(f"{name} (listed by {path.name}, not next to it)")
     if not modules:
         raise InputError(
             f"{path} lists {names[0]}, which is missing", did_you_mean(names[0], beside)

@@ -25,8 +25,14 @@ from pathlib import Path
 
 ROOT = Path(__file__).parents[1]
 WIDTH = 120
-SOURCES = ("*.md", "docs/**/*.md", "editors/*.md", "editors/vscode/*.md", "programs/**/*.md")
-PAGES_OF_RULES = "rapidsim/rules/*/page.md"
+SOURCES = (
+    "*.md",
+    "docs/**/*.md",
+    "editors/*.md",
+    "editors/vscode/*.md",
+    "programs/**/*.md",
+    "rapidsim/rules/*/page.md",
+)
 
 _CODE = r"(?P<ticks>`+)(?!`).+?(?<!`)(?P=ticks)(?!`)"
 _WORD = re.compile(rf"(?:\\\S|{_CODE}|\]\([^)]*\)|<[^<>\s][^<>]*>|\S)+")
@@ -37,6 +43,11 @@ _FENCE = re.compile(r"\s*(```|~~~)")
 _ITEM = re.compile(r" *([-*+]|\d+[.)]) +")
 _VERBATIM = re.compile(r"\s*(#{1,6} |\||>|!!!|\?\?\?|(=+|-{2,}|\*{3,})\s*$|\[[^\]]+\]: )")
 _HARD_BREAK = re.compile(r"(  +|\\)$")
+
+
+def sources() -> Iterator[Path]:
+    """All Markdown of the repository."""
+    return (file for pattern in SOURCES for file in sorted(ROOT.glob(pattern)))
 
 
 def wrap(text: str) -> str:
@@ -128,11 +139,8 @@ def main() -> None:
     parser.add_argument("files", nargs="*", type=Path, help="all of the repository without any")
     parser.add_argument("--check", action="store_true", help="change nothing")
     arguments = parser.parse_args()
-    files = arguments.files or [
-        file for pattern in (*SOURCES, PAGES_OF_RULES) for file in sorted(ROOT.glob(pattern))
-    ]
     is_wrapped = True
-    for file in dict.fromkeys(files):
+    for file in arguments.files or sources():
         text = file.read_text(encoding="utf-8")
         if (result := wrap(text)) == text:
             continue

@@ -7,6 +7,7 @@ from pathlib import Path
 
 import pytest
 from mypy_command import MYPY
+from wrap_markdown import sources, wrap
 
 ROOT = Path(__file__).parents[1]
 BIN = Path(sys.executable).parent
@@ -38,6 +39,12 @@ def test_no_file_is_too_long() -> None:
     }
     too_long = {path: lines for path, lines in lengths.items() if lines > LONGEST_FILE}
     assert not too_long
+
+
+def test_markdown_is_wrapped() -> None:
+    texts = {str(file.relative_to(ROOT)): file.read_text(encoding="utf-8") for file in sources()}
+    unwrapped = [name for name, text in texts.items() if wrap(text) != text]
+    assert not unwrapped, "python scripts/wrap_markdown.py"
 
 
 def test_ci_runs_the_test_command_of_the_readme() -> None:

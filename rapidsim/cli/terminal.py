@@ -39,7 +39,7 @@ table_or_json = click.option(
     type=click.Choice(["table", "json"]),
     default="table",
     show_default=True,
-    help="What is printed.",
+    help="Output format.",
 )
 """The option of commands that print a table for people or an object for programs."""
 

@@ -210,9 +210,7 @@ class TaskClock:
         self.idle_until_s = own_s
         until_s = min(own_s, self._cell.scheduler.next_s(self))
         if math.isinf(until_s) and self._cell.scheduler.mark_waiting(self):
-            raise PollsForever(
-                "the program loops forever here: nothing that it looks at ever changes"
-            )
+            raise PollsForever("the program loops forever here: nothing that it reads ever changes")
         round_s = ticks * self._time.tick_s
         # Stop one iteration early: the tick in which the program reads the change may matter.
         rounds = math.ceil((min(until_s, self._cell.max_time_s) - now_s) / round_s - 1e-6) - 1
@@ -427,8 +425,8 @@ class TaskClock:
         while self._unit.queue.is_halted:
             if not self.await_event(math.inf):
                 raise WaitsForever(
-                    "the robot was stopped by StopMove, and nothing starts it again",
-                    "StartMove lets it go on, in the program or in a trap",
+                    "the robot was stopped by StopMove, and nothing restarts it",
+                    "StartMove resumes the motion, in the program or in a trap",
                 )
 
     def drive_to_stop(self, corner: CornerKind = CornerKind.STOP) -> None:

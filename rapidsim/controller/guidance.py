@@ -468,10 +468,10 @@ class TaskGuidance:
         if ended is EndReason.SILENT:
             return rapid_error(
                 ERR_UDPUC_COMM,
-                f"the sensor of `{device}` has said nothing for {identity.setup.silence_s:g} s",
+                f"the sensor of `{device}` has sent nothing for {identity.setup.silence_s:g} s",
             )
         return NotAllowed(
-            f"the sensor of `{device}` wants the robot where it cannot get: out of reach, or in "
+            f"the sensor of `{device}` requests a place beyond the robot: out of reach, or in "
             "another configuration"
         )
 

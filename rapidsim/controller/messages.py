@@ -68,7 +68,7 @@ class TaskMessages:
             told = MessageDiscarded(slot.name, message.kind.spelled)
             self.journal.finding(told, self.clock.place, once=told)
         if became is DeliveryResult.LOST:
-            lost = f"what is sent to {slot.name} is lost: its task is not in this run"
+            lost = f"messages to {slot.name} are lost: its task is not in this run"
             self.journal.unsimulated("RMQSendMessage", lost, self.clock.place)
         self.clock.notify_tasks()
         # A message to the task itself may have raised an interrupt.
@@ -109,7 +109,7 @@ class TaskMessages:
             lambda: bool(self.queue.messages),
             deadline_s,
             "a message",
-            "`RMQReadWait` waits for a message, and nobody sends one",
+            "`RMQReadWait` waits for a message, and none is sent",
         )
         return self.next_message()
 

@@ -76,7 +76,7 @@ class TaskPathControl:
         if too_far:
             raise rapid_error(
                 ERR_PATHDIST,
-                f"the robot stands {too_far} off where it left its path; move it back before "
+                f"the robot is {too_far} away from where it left its path; move it back before "
                 "RestoPath",
             )
         is_free = self.unit.release()

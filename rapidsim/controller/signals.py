@@ -168,6 +168,6 @@ class TaskSignals:
 
 def _vain(signals: tuple[str, ...]) -> str:
     if not signals:
-        return "the condition looks at no signal and no clock, and nothing ever changes it"
+        return "the condition reads no signal and no clock, and nothing ever changes it"
     names = ", ".join(f"`{name}`" for name in signals)
-    return f"the condition looks at {names}, and nothing ever changes that"
+    return f"the condition reads {names}, and nothing ever changes that"

@@ -123,7 +123,7 @@ class TaskSockets:
                 ends.extend([end] if end is not None else [])
                 return end is not None
 
-            nobody = f"`SocketConnect` waits for {address}:{port}, and nobody listens there"
+            nobody = f"`SocketConnect` waits for {address}:{port}, and nothing listens there"
             if self._waited(is_answered, deadline_s, nobody):
                 found = ends[0]
                 self._opened.append(found)

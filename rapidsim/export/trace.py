@@ -82,7 +82,8 @@ def _write(path: Path, names: tuple[str, ...], rows: Iterator[RowBlock]) -> Path
     if writer is None:
         known = ", ".join(WRITERS)
         raise InputError(
-            f"cannot tell the format of the trace `{path}` by its suffix", f"use one of {known}"
+            f"cannot determine the format of the trace `{path}` from its suffix",
+            f"use one of {known}",
         )
     with whole_file(path) as temporary:
         writer(temporary, names, rows)

@@ -28,7 +28,8 @@ def write_variants(sweep: Sweep, path: Path) -> Path:
     suffix = path.suffix.lower()
     if suffix not in (".parquet", ".csv"):
         raise InputError(
-            f"cannot tell the format of the table `{path}` by its suffix", "use .parquet or .csv"
+            f"cannot determine the format of the table `{path}` from its suffix",
+            "use .parquet or .csv",
         )
     if suffix == ".parquet":
         require("pyarrow", "a table as Parquet")

@@ -26,7 +26,7 @@ from rapidsim.language.error_numbers import (
 from rapidsim.library.mechanical_units import unit_named
 from rapidsim.library.table import routine, table
 
-_TREATED_AS = "a motion of its own time; path and recording show the axis standing"
+_TREATED_AS = "a separately timed motion; path and recording show the axis at rest"
 _TURN = 360.0
 
 

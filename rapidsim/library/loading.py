@@ -158,7 +158,7 @@ def save(
     if path is None:
         raise rapid_error(
             ERR_PATH,
-            rf"module {module.name} was not loaded with Load; give \FilePath to say where it goes",
+            rf"module {module.name} was not loaded with Load; name the file with \FilePath",
         )
     _write(controller.files, module, path)
 

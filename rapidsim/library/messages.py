@@ -108,7 +108,7 @@ def rmq_read_wait(
     """Take the next message, waiting for it, 60 s by default."""
     if controller.messages.is_synchronous is None:
         controller.fidelity.not_simulated(
-            "RMQReadWait", "as in synchronous mode: nothing says the mode of the task's queue"
+            "RMQReadWait", "as in synchronous mode: the mode of the task's queue is not described"
         )
     _require(controller, "RMQReadWait", synchronous=True, in_trap=False)
     found = controller.messages.await_message(max_time=_limit(time_out))

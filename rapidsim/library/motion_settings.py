@@ -81,7 +81,7 @@ def speed_refresh(controller: Controller, override: Num) -> None:
         )
     if override < LEAST_REFRESH_PERCENT:
         controller.fidelity.not_simulated(
-            f"SpeedRefresh {override:g}", f"{LEAST_REFRESH_PERCENT:g} %, so that the run goes on"
+            f"SpeedRefresh {override:g}", f"{LEAST_REFRESH_PERCENT:g} %, so that the run continues"
         )
     if controller.motion.is_moving():
         controller.fidelity.not_simulated(

@@ -75,7 +75,7 @@ def tp_read_fk(
     """Ask for one of five keys; the answer is its number."""
     keys = (tpfk1, tpfk2, tpfk3, tpfk4, tpfk5)
     if not any(keys):
-        raise NotAllowed("TPReadFK has no text for any key, so nobody could answer")
+        raise NotAllowed("TPReadFK has no text for any key, so no answer is possible")
 
     def ask(ends: bool) -> int | None:
         return controller.operator.ask_choice(tp_text, keys, ends=ends)

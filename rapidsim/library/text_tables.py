@@ -92,7 +92,7 @@ def _read_tables(file: str, text: str) -> Mapping[str, Mapping[int, str]]:
         elif match := _INDEX.fullmatch(line):
             index = int(match[1])
             if index in texts:
-                raise _unreadable(file, number, f"text {index} stands here a second time")
+                raise _unreadable(file, number, f"text {index} is here a second time")
         elif index is None or index in texts:
             raise _unreadable(file, number, "each text is one line below a line with its number")
         elif len(line) > MAX_STRING:

@@ -15,7 +15,7 @@ from rapidsim.extras import require
 def lsp() -> int:
     """Serve an editor: a language server on standard input and output.
 
-    It speaks the Language Server Protocol. Findings follow the typing; moves are checked, and
+    It speaks the Language Server Protocol. Findings are updated as you type; moves are checked, and
     programs run, in a second process. `initializationOptions` may have `checkMoves`: false leaves
     the moves unchecked. How to set up an editor: docs/editor.md.
     """

@@ -176,6 +176,6 @@ def _placement(
         if targets.is_no_orientation(frame.rot):
             return targets.NotSimulatedFrame(FRAME_WITHOUT_ORIENTATION)
     if not wobj.ufprog and not wobj.robhold and not targets.unit_of(wobj, external):
-        why = f"`{wobj.ufmec}` moves its work object; only a run tells where"
+        why = f"`{wobj.ufmec}` moves its work object; only a run can tell where"
         return targets.NotSimulatedFrame(why)
     return targets.placement(tool, wobj, base_from_world, external)

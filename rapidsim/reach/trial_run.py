@@ -113,7 +113,7 @@ def run_for_moves(
     if not _can_start(program, options.entry):
         return _not_run(f"is not possible: there is no `{options.entry}`")
     if len(walked.written) > MOST_MOVES:
-        return _not_run("is left out in a check of so many moves; `rapidsim run` makes it")
+        return _not_run("is skipped in a check of so many moves; `rapidsim run` makes it")
     calls = {(module.source.file, call.start): (call, module) for call, module in walked.written}
     with TemporaryDirectory(prefix="rapidsim-") as home:
         limited = _limited(options, longest_s, LONGEST_WORK_S)
@@ -225,7 +225,7 @@ def _met(run: Simulation, walked: WalkedProgram) -> frozenset[MoveStatement]:
 def skip_reason(walked: WalkedProgram) -> str:
     """Return the reason why main is not run for its errors alone; empty if it is."""
     if len(walked.written) > MOST_MOVES_FOR_ERRORS:
-        return f"main has more than {MOST_MOVES_FOR_ERRORS} moves, all of them known without a run"
+        return f"main has more than {MOST_MOVES_FOR_ERRORS} moves, all known statically"
     return ""
 
 

@@ -99,7 +99,7 @@ def _report_difference(
         # A controller that was killed has no last line.
         if then != now and then:
             on_line(f"note: the run departs from line {number} of the journal: {_cut(then)}")
-            on_line(f"note: it goes on so: {_cut(now)}" if now else "note: it ends there")
+            on_line(f"note: it continues as follows: {_cut(now)}" if now else "note: it ends there")
             return
 
 

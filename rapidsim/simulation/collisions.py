@@ -58,7 +58,7 @@ def _findings(simulation: Simulation, collisions: Collisions) -> Iterator[Diagno
     yield from _near(simulation, found, collisions.geometry.clearance_m)
     remarks = collisions.remarks
     if not found.decided:
-        remarks = (*remarks, "some stretches in which bodies slide along each other for long")
+        remarks = (*remarks, "some intervals in which bodies slide along each other")
     if remarks:
         yield Diagnostic(NotJudged("; ".join(remarks)), None)
 

@@ -189,6 +189,6 @@ def _stack_place(
     for position, frame in enumerate(shown):
         words = f"called from {frame.place}" if frame.routine else "initial value"
         if left_out and position == _SHOWN_CALLS:
-            words += f", with {left_out} calls between left out"
+            words += f", with {left_out} calls in between omitted"
         related.append(Related(frame.span, words))
     return last.routine, last.span, tuple(related)

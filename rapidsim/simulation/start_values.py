@@ -45,4 +45,4 @@ class _NotRunning:
         self.intno = 0.0
 
     def __getattr__(self, name: str) -> NoReturn:
-        raise Stopped(f"it asks a running controller (`{name}`)")
+        raise Stopped(f"it needs a running controller (`{name}`)")

@@ -16,14 +16,14 @@ PLACES = {GITHUB: Path(".github", "workflows", "rapid.yml"), GITLAB: Path(".gitl
 IGNORED = ("*.rrd", "*.home/")
 """Files that runs write, as lines of a .gitignore."""
 
-_INSTALL = 'pip install "${RAPIDSIM:?a variable of the project says what pip installs}"'
+_INSTALL = 'pip install "${RAPIDSIM:?a variable of the project that names what pip installs}"'
 """Not a name: that of the package means another project on the public index."""
 _PAGE = "rapidsim view rapidsim.rrd --export rapidsim-page"
 _GITHUB = """name: RAPID
 on: [push, pull_request]
 permissions:
   contents: read
-  security-events: write      # findings beside the lines
+  security-events: write      # findings next to the lines
   pull-requests: write        # what changed, as a comment
 env:
   RAPIDSIM: ${{{{ vars.RAPIDSIM }}}}      # what pip installs: docs/ci.md

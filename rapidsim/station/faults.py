@@ -53,7 +53,7 @@ def _fault(reader: Reader, table: Table, path: str) -> Fault | None:
     for key in table:
         if key not in (*_OF_ALL, *KEYS[kind]) and key in _KNOWN:
             known = ", ".join(KEYS[kind]) or "none"
-            reader.wrong(f"{path}.{key}", f"{kind} has no such key; of its own it has: {known}")
+            reader.wrong(f"{path}.{key}", f"{kind} has no such key; its own keys: {known}")
     if kind is FailureKind.DEVICE_LOST and not values.get("device"):
         reader.wrong(f"{path}.device", "name the device")
     return as_record(Fault, values)

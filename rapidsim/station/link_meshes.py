@@ -41,7 +41,7 @@ def with_meshes(arm: Robot, folder: Path, unit_m: float | None, *, in_base: bool
             raise InputError(f"{folder} has two files for {name}", "remove one of them")
         if unit_m is None and file.suffix.lower() not in IN_METRES:
             raise InputError(
-                f"{file} does not say its unit",
+                f"{file} does not state its unit",
                 f'give `shapes-unit = "mm"`, or another of {", ".join(LengthUnit)}',
             )
         found[name] = file

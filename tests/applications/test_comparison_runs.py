@@ -72,7 +72,7 @@ def test_a_saved_run_is_compared_with_a_program(sides: Path) -> None:
     saved["time_s"] += 1.0
     (sides / "older.json").write_text(json.dumps(saved))
     told = diff(sides, "older.json", "new").out
-    assert "times of motion model 1 stand against those of 3" in told
+    assert "times of motion model 1 are compared with those of 3" in told
     (sides / "wrong.json").write_text("[1]")
     refused = diff(sides, "wrong.json", "old")
     assert (refused.code, "wrong.json is not a saved run" in refused.err) == (2, True)

@@ -91,7 +91,7 @@ def test_fixes_that_are_left_out_are_told(
     file.write_text(HARMED[1])
     asked = ("check", str(file), "--fix", "--extend-select", "S905", "--output-format", "concise")
     run_commands(asked)
-    assert "would leave more errors: 1." in capsys.readouterr().out
+    assert "would cause more errors: 1." in capsys.readouterr().out
     fixed = file.read_text()
     run_commands(asked)
     assert file.read_text() == fixed

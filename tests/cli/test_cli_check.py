@@ -89,7 +89,7 @@ def test_a_backup_is_checked_task_by_task(tmp_path: Path) -> None:
 def test_neighbours_are_named_when_a_name_is_missing(tmp_path: Path) -> None:
     (tmp_path / "main.mod").write_text(WARNED)
     (tmp_path / "CalibData.mod").write_text("MODULE CalibData\nENDMODULE\n")
-    hint = "Modules beside it: CalibData.mod;"
+    hint = "Modules next to it: CalibData.mod;"
     assert hint in rapidsim("check", "main.mod", cwd=tmp_path).out
     assert hint not in rapidsim("check", ".", cwd=tmp_path).out
     (tmp_path / "main.mod").write_text("MODULE a\n  PROC main()\n  ENDPROC\nENDMODULE\n")

@@ -143,7 +143,7 @@ def test_a_cycle_over_its_budget_is_found(folder: Path) -> None:
     done = rapidsim("check", "cell.mod", "--output-format", "concise", cwd=folder)
     assert "cell.mod:2:8: warning[D701] one cycle takes 3.00 s; the budget is 2.5 s" in done.out
     full = rapidsim("check", "cell.mod", cwd=folder).out
-    assert "the time is that of motion model 3" in full
+    assert "this is the time of motion model 3" in full
 
 
 UNRUN = """MODULE cell
@@ -172,7 +172,7 @@ def test_a_check_that_leaves_out_the_run_of_main_says_so(
     (folder / "cell.mod").write_text(UNRUN.format(statement=statement))
     done = rapidsim("check", "cell.mod", "--robot", "irb1600", cwd=folder)
     assert done.code == 0
-    assert "Errors that only a run finds were not looked for: " in done.out
+    assert "Trial run skipped: " in done.out
     assert why in " ".join(done.out.split())
     told = rapidsim("check", "cell.mod", "--output-format", "json", cwd=folder)
     assert why in json.loads(told.out)["coverage"]["main_left_out"]

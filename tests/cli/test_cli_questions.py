@@ -52,7 +52,7 @@ def test_somebody_at_a_terminal_is_asked_again(tmp_path: Path) -> None:
     assert typed == []
     assert "`seven` is not a number, such as 12 or -0.5. How many?: " in text
     assert "`1e999` is not a number, such as 12 or -0.5. How many?: " in text
-    assert "`perhaps` is none of the keys. Go on? 7.5 Yes / No: " in text
+    assert "`perhaps` is not one of the keys. Go on? 7.5 Yes / No: " in text
     assert "key 2" in text
     assert "R103" not in text
     assert "R105" not in text

@@ -80,7 +80,7 @@ def test_speeds_of_the_station_file_time_it_and_are_named(program: Path) -> None
     assert done.code == 0, done.err
     models = json.loads(done.out)["models"]
     assert models["axis_speed"].startswith("axis speeds 100, 90, 90, 150, 120, 190 deg/s")
-    assert "as the station file says" in " ".join(rapidsim(*arguments).out.split())
+    assert "from the station file" in " ".join(rapidsim(*arguments).out.split())
 
 
 @pytest.mark.parametrize(

@@ -197,5 +197,5 @@ def test_an_arm_with_tags_out_of_place_is_recorded_with_its_shapes(tmp_path: Pat
     arguments = ("--robot", odd, "--joints", "10,20,30", "--record", recording)
     ended = rapidsim("kin", "fk", *arguments)
     assert ended.code == 0, ended.err
-    assert "odd.urdf:2: `origin` is not allowed inside `geometry` and is left out" in ended.err
+    assert "odd.urdf:2: `origin` is not allowed inside `geometry` and is skipped" in ended.err
     assert any("visual_geometries/l1" in entity for entity in entities(recording))

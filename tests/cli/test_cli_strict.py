@@ -144,7 +144,7 @@ def test_modules_that_a_program_file_lists_may_be_absent(folder: Path) -> None:
     )
     ended = call("run", "p.pgf", "--no-record", cwd=folder)
     assert ended.code == 0
-    assert "may be declared in Vendor.sysx (listed by p.pgf, not beside it)" in ended.out
+    assert "may be declared in Vendor.sysx (listed by p.pgf, not next to it)" in ended.out
     assert "4 calls of 2 unknown routines skipped" in " ".join(ended.out.split())
 
 

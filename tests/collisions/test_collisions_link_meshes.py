@@ -82,7 +82,7 @@ def test_recording_and_report_show_them(tmp_path: Path) -> None:
         (SHAPES, (), "link_7.stl", "has no such link"),
         (SHAPES, (), "link_2.obj", "two files for link_2"),
         (SHAPES, ("link_2",), "link_2.stl", "not an STL file"),
-        ('shapes = "arm"\n', (), "", "does not say its unit"),
+        ('shapes = "arm"\n', (), "", "does not state its unit"),
         ('shapes = "arm"\nshapes-unit = "m"\n', (), "", "20000 mm long"),
         ('shapes = "arm"\nshapes-unit = "mile"\n', (), "", "not a unit of length"),
         (SHAPES + 'shapes-frame = "tool"\n', (), "", "neither `link` nor `base`"),

@@ -266,8 +266,8 @@ def test_tags_out_of_place_are_told_with_their_lines_and_left_out(tmp_path: Path
     origin = 1 + next(k for k, line in enumerate(lines) if '<origin xyz="0 0 0"/>' in line)
     colour = 1 + next(k for k, line in enumerate(lines) if "<colour>" in line)
     assert robot.notices[:2] == (
-        f"{file}:{origin}: `origin` is not allowed inside `geometry` and is left out",
-        f"{file}:{colour}: `colour` is not allowed inside `link` and is left out",
+        f"{file}:{origin}: `origin` is not allowed inside `geometry` and is skipped",
+        f"{file}:{colour}: `colour` is not allowed inside `link` and is skipped",
     )
     plain = load_robot(written(tmp_path, odd_arm()))
     joints = np.full(6, 0.3)

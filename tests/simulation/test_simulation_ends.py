@@ -123,7 +123,7 @@ ENDMODULE
     shown = calls(found)
     assert len(shown) == 10
     assert shown[0] == ("called from deeper", 8)
-    assert "calls between left out" in shown[5][0]
+    assert "calls in between omitted" in shown[5][0]
     assert shown[-1] == ("called from main", 3)
 
 

@@ -68,7 +68,7 @@ def test_texts_are_found_by_name_and_number(statement: str, error: str, tmp_path
         ("<?xml version='1.0'?>\n<Texts/>\n", "cell.eng:1: a table begins with a line `name::`"),
         ("t::\nloose\n", "cell.eng:2: each text is one line below a line with its number"),
         ("t::\n1:\na\nb\n", "cell.eng:4: each text is one line below a line with its number"),
-        ("t::\n1:\na\n1:\nb\n", "cell.eng:4: text 1 stands here a second time"),
+        ("t::\n1:\na\n1:\nb\n", "cell.eng:4: text 1 is here a second time"),
         (
             f"t::\n1:\n{'x' * 81}\n",
             "cell.eng:3: the text has 81 characters and a string at most 80",

@@ -58,7 +58,7 @@ class UnseenName(Violation, code="N216"):
         """Modules that may declare the name, or the nearest name."""
         where = f"it may be declared in {' or '.join(self.modules)}, which cannot be read here"
         if self.kind != "data":
-            where += "; a run goes on without it"
+            where += "; a run continues without it"
         return f"{where}; or did you mean `{self.nearest}`?" if self.nearest else where
 
 
@@ -83,8 +83,8 @@ class DuplicateName(Violation, code="N202"):
         """Suggestion that makes the names distinct."""
         if self.kind == "module":
             return (
-                "files named together form one task: leave out the copy, or name "
-                "each program by itself"
+                "files named together form one task: remove the copy, or check "
+                "each program separately"
             )
         if self.between_modules and self.duplicate.lower() == "main":
             return (
@@ -98,10 +98,10 @@ class DuplicateName(Violation, code="N202"):
 
 SKIPS = "skips the call"
 LOOKS_FOR_IT = "looks for it among the modules it has loaded by then"
-STOPS_THERE = "fails where it comes to the call"
+STOPS_THERE = "fails when it reaches the call"
 """Behaviour of a run at a call of a routine that no module declares."""
 
-ASSUME = "`--assume-missing` skips calls of what is not here"
+ASSUME = "`--assume-missing` skips calls of missing routines"
 
 
 class UnknownRoutine(Violation, code="N209"):

@@ -264,9 +264,9 @@ def _unknown_routine(name: tree.Name, context: Context, *, function: bool) -> Un
 def _suggestion(symbol: Symbol, name: str, function: bool) -> str:
     match symbol:
         case _ if function and is_procedure(symbol):
-            return f"call `{name}` by a statement of its own; it has no value"
+            return f"call `{name}` in a separate statement; it has no value"
         case _ if is_function(symbol):
-            return f"give its value to data, as in `x:={name}(...)`"
+            return f"assign its value to data, as in `x:={name}(...)`"
         case RoutineSymbol(node=tree.Trap()):
             return f"connect it to an interrupt, as in `CONNECT i WITH {name}`"
         case DataSymbol() | ParameterSymbol() if not function:

@@ -49,9 +49,9 @@ def as_text(calibration: Calibration) -> RenderableType:
     advice = (
         Text(f"For rapidsim.toml:\n\n{lines}")
         if lines
-        else Text("The logs say nothing about any of them.")
+        else Text("The logs determine none of them.")
     )
-    explained = Text("left out: as predicted by the other logs alone", "dim")
+    explained = Text("left out: predicted from the other logs alone", "dim")
     return Group(fitted, Text(), met, explained, Text(), advice)
 
 

@@ -47,7 +47,9 @@ def standard_programs(robot: Robot) -> Mapping[str, str]:
     try:
         limits_of(robot, MotionModel())
     except RobotError as error:
-        raise InputError(str(error), "programs are written for arms of which they are") from error
+        raise InputError(
+            str(error), "programs are written only for arms whose axis speeds are known"
+        ) from error
     return {f"{name}.mod": _largest(robot, name, body) for name, body in _BODIES.items()}
 
 

@@ -138,7 +138,7 @@ class RunChange:
         before, after = (model or "1" for model in self.motion_models)
         if before == after:
             return ""
-        return f"times of motion model {before} stand against those of {after}"
+        return f"times of motion model {before} are compared with those of {after}"
 
     @property
     def is_same(self) -> bool:

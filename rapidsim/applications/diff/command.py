@@ -35,7 +35,7 @@ class DiffOptions:
     task: str | None = option("--task", metavar="NAME", help="Only this task, of several.")
     proc: str = option("--proc", metavar="NAME", default="main", help="The procedure to run.")
     io: str | None = option(
-        "--io", metavar="FILE.toml", help="Signals and what happens to inputs, in both runs."
+        "--io", metavar="FILE.toml", help="Signals and stimuli of inputs, in both runs."
     )
     answers: str | None = option(
         "--answers", metavar="FILE", help="Answers to the programs' questions, one per line."
@@ -56,7 +56,7 @@ class DiffOptions:
         type=click.Choice(_FORMATS),
         default="text",
         show_default=True,
-        help="What is printed.",
+        help="Output format.",
     )
     output: str | None = option(
         "--output", metavar="FILE", help="Write to this file; required for html."
@@ -69,15 +69,15 @@ class DiffOptions:
 def diff(options: DiffOptions) -> int:
     """Show what changed from A to B: programs, folders, backups, configurations, saved runs.
 
-    Of two recordings it says only whether their content is the same.
+    For two recordings, only whether their content is the same is reported.
 
     With --git, from revision REV of PATH, by default the working folder, to PATH as it is now.
 
-    Targets, tools, work objects, speeds, zones, signals and routines; the time of each routine and
-    line before and after; outputs that fire at another place or time; findings that are new or
-    gone. Of backups and cells also signals, wiring, axes, frames, tasks and all other system
-    parameters, and the station file; these may stand alone, as a folder SYSPAR, a .cfg or a .toml
-    file. Layout, comments and order do not count as changes.
+    Compared are targets, tools, work objects, speeds, zones, signals and routines; the time of each
+    routine and line; outputs that fire at another place or time; findings that are new or gone. For
+    backups and cells also signals, wiring, axes, frames, tasks and all other system parameters, and
+    the station file; these may be given alone, as a folder SYSPAR, a .cfg or a .toml file. Layout,
+    comments and order do not count as changes.
 
     Exit codes: 0 the same, 1 different, 2 wrong usage.
     """

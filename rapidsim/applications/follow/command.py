@@ -141,7 +141,9 @@ class FollowRequest:
         help="Minimum distance of the TCP from the origin of the base [mm].",
     )
     avoid: bool = option(
-        "--avoid", is_flag=True, help="Lead lines around that sphere; without it, they are refused."
+        "--avoid",
+        is_flag=True,
+        help="Route lines around that sphere; without it, they are rejected.",
     )
     conf: tuple[float, ...] | None = option(
         "--conf",
@@ -194,7 +196,7 @@ class FollowRequest:
 @options_of(FollowRequest)
 @terminal_options
 def follow(options: FollowRequest) -> int:
-    """Follow the points of a table, and show how well the arm can.
+    """Move an arm along the points of a table, and show how well it follows.
 
     POINTS.csv names its columns in the first line: x, y, z in mm in the robot's base frame, or with
     --base in the world, and q1 to q4, e1 to e3 (Euler angles) or pitch [deg] for the tool. `-`

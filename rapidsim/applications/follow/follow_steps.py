@@ -174,7 +174,7 @@ def unused(task: PreparedPoints, plan: Plan) -> tuple[str, ...]:
     if points.knots is not None and plan.kind is not Way.SPLINE:
         remarks.append("knots count for --path spline only")
     if plan.least_radius and not plan.kind.of_tcp:
-        remarks.append("--min-radius is not looked at between points in joint space")
+        remarks.append("--min-radius is not checked between points in joint space")
     return tuple(remarks)
 
 

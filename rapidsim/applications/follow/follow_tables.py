@@ -227,7 +227,7 @@ def turns_page(attitudes: Array) -> RenderableType | None:
             )
     if not turned:
         return None
-    said = "rates in deg per stretch; lines here turn by slerp"
+    said = "rates in deg per section; lines here turn by slerp"
     if turned > _MOST_TURNS:
         said += f"; and {turned - _MOST_TURNS} turns more"
     return Group(table, Text(said, "dim"))

@@ -135,7 +135,7 @@ def points(options: PointsOptions) -> int:
             any_attitude=options.attitude == "random",
         )
         if not current_terminal().quiet:
-            echo(f"note: {drawn} points were looked at", err=True)
+            echo(f"note: {drawn} points were tried", err=True)
         base_from_tcp = Transform(matrix_from_quaternion(quaternions), places)
         if len(places) < options.count:
             echo(

@@ -48,8 +48,8 @@ def jog(options: JogOptions) -> int:
     """Move an arm by hand on a page, and teach targets.
 
     PATH is as for `rapidsim run`: its station, tools and work objects are those of the page; no
-    program is executed. Without it, the arm of --robot stands alone. The first line on stdout is
-    the address of the page, which works on this computer only, until Ctrl-C.
+    program is executed. Without PATH, the page has only the arm of --robot. The first line on
+    stdout is the address of the page, which works on this computer only, until Ctrl-C.
 
     Exit codes: 0 ended on request, 1 the program has errors, 2 wrong usage or a port in use.
     """

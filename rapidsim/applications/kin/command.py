@@ -241,7 +241,7 @@ def ik(options: InverseOptions, setup: SetupOptions) -> int:
         if options.conf is None:
             found = solve_pose(arm, pose, everything=options.everything)
         elif not closed_form:
-            raise InputError(f"the solutions of {arm.name} are not told apart by confdata")
+            raise InputError(f"confdata does not distinguish the solutions of {arm.name}")
         else:
             found = solve_pose_as(arm, pose, _whole(options.conf))
     if setup.output_format == "json":

@@ -29,7 +29,7 @@ from rapidsim.json_records.encoding import json_of
 @table_or_json
 @terminal_options
 def protocol(answers: str | None, robot: str | None, output_format: str) -> int:
-    """Ask a controller what nobody knows for sure, and compare.
+    """Ask a controller twenty open questions, and compare the answers.
 
     Without ANSWERS it writes Questions.mod into this folder: a program with twenty questions, to be
     run on a controller, real or virtual. ANSWERS is the file that it writes there. --format json

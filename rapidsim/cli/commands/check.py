@@ -116,7 +116,7 @@ class CheckOptions:
     each: bool = option(
         "--each",
         is_flag=True,
-        help="Check each PATH, and each controller of a .rspag, as a program of its own.",
+        help="Check each PATH, and each controller of a .rspag, as a separate program.",
     )
     processes: int = option(
         "-j",
@@ -129,7 +129,7 @@ class CheckOptions:
         "--no-cache",
         is_flag=True,
         envvar="RAPIDSIM_NO_CACHE",
-        help="Neither use nor keep results of earlier checks.",
+        help="Neither use nor store cached results.",
     )
     no_merge: bool = option("--no-merge", is_flag=True, help="Show repeated findings one by one.")
     fail_on: str | None = option(
@@ -148,7 +148,7 @@ def check(options: CheckOptions) -> int:
 
     PATH is a module (.mod .modx .sys .sysx .prg), a .pgf program file, a folder, a controller
     backup, a RobotStudio Pack&Go station (.rspag), or - for standard input. All PATHs together
-    are checked as one task; with --each, every one is a program of its own.
+    are checked as one task; with --each, each is a separate program.
 
     A comment `! rapidsim: ignore[K601] reason` after a statement, or on the line
     before it, suppresses findings.
@@ -384,7 +384,7 @@ def _remarks(
     ):
         yield f"`--fix` can fix {curable} of them."
     if left_out := sum(one.left_out for one in mended):
-        yield f"Fixes left out, because they would leave more errors: {left_out}."
+        yield f"Fixes not applied, because they would cause more errors: {left_out}."
     if result.known:
         yield f"{len(result.known)} more are in the baseline."
     for paths, one in zip(programs, mended, strict=True):

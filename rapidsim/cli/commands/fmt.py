@@ -30,7 +30,7 @@ class FmtOptions:
 
     paths: tuple[str, ...] = argument("PATH...", nargs=-1, required=True)
     check: bool = option("--check", is_flag=True, help="Change nothing; exit 1 if fmt would.")
-    diff: bool = option("--diff", is_flag=True, help="Show what fmt would change, in place of it.")
+    diff: bool = option("--diff", is_flag=True, help="Show what fmt would change; change nothing.")
     indent: int | None = option(
         "--indent",
         type=click.IntRange(1, _LARGEST_INDENT),
@@ -54,7 +54,7 @@ def fmt(options: FmtOptions) -> int:
 
     PATH is a module, a .pgf program file, a folder or a backup; - reads standard input and prints
     the result. Comments, line breaks, alignment within lines and line ends are kept. A file with
-    syntax errors is left as it is, and its errors are shown.
+    syntax errors is left unchanged, and its errors are shown.
     """
     terminal = current_terminal()
     files = _files(options.paths)

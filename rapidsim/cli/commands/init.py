@@ -103,7 +103,7 @@ def init(paths: tuple[str, ...], robot: str | None, service: str | None) -> int:
         for lack in () if is_kept else found.lacks:
             echo(f"note: {lack}", err=True)
         if not is_kept and (above := find_station([str(found.path.parent.parent)])):
-            echo(f"{above} no longer applies to what is beside {shown}.")
+            echo(f"{above} no longer applies to the files next to {shown}.")
     return ExitCode.CLEAN
 
 

@@ -77,9 +77,9 @@ def robots(options: RobotsOptions) -> int:
 
     NAME is a name or alias of the catalogue, or a URDF file.
 
-    With --for, the arms of ABB by how many of the targets of PATH they reach and hold in the
-    stored configuration; a tie goes to the arm that comments, files, folders, stations or a
-    backup name. For targets with seven axes, only arms with seven axes.
+    With --for, ABB's arms are ranked by how many targets of PATH they reach, in the stored
+    configuration; an arm that comments, files, folders, stations or a backup name wins a tie. For
+    targets with seven axes, only arms with seven axes are ranked.
     """
     details = options.table or options.workspace or options.cycle or options.scale
     if options.program is not None:

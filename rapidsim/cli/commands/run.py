@@ -85,7 +85,7 @@ _EXIT_CODES = {
     type=click.Choice(FORMATS),
     default="table",
     show_default=True,
-    help="What is printed.",
+    help="Output format.",
 )
 @click.option(
     "--write-pers",
@@ -102,7 +102,7 @@ _EXIT_CODES = {
 @click.option(
     "--profile",
     metavar="FILE.prof",
-    help="Profile the interpreter: where does the computer time go?",
+    help="Write a profile of the interpreter's computing time.",
 )
 @click.option(
     "--timings",

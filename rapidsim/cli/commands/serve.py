@@ -48,7 +48,7 @@ class ServeOptions:
     )
     task: str | None = option("--task", metavar="NAME", help="Only this task, of several.")
     io: str | None = option(
-        "--io", metavar="FILE.toml", help="Signals and what happens to inputs; adds to the station."
+        "--io", metavar="FILE.toml", help="Signals and stimuli of inputs; adds to the station."
     )
     host: str = option(
         "--host",
@@ -67,7 +67,7 @@ class ServeOptions:
         "--allow-origin",
         metavar="URL",
         multiple=True,
-        help="A web page elsewhere that may use the server, as http://localhost:3000.",
+        help="Origin of a web page that may use the server, such as http://localhost:3000.",
     )
     robotware: str | None = option(
         "--robotware",
@@ -89,8 +89,7 @@ class ServeOptions:
     latency: str | None = option(
         "--latency",
         type=click.Choice(["irc5"]),
-        help="Answer starts and loads of modules as late as this controller: irc5 after 10 and "
-        "13 s.",
+        help="Delay starts and loads of modules like this controller: irc5 by 10 and 13 s.",
     )
     speed: str = option(
         "--speed",
@@ -152,7 +151,7 @@ class ServeOptions:
     user_file: str | None = option(
         "--user-file",
         metavar="FILE",
-        help="Such logins, one a line; also in the environment variable RAPIDSIM_USERS.",
+        help="Such logins, one per line; also in the environment variable RAPIDSIM_USERS.",
     )
     max_sessions: int = option(
         "--max-sessions",
@@ -179,7 +178,7 @@ class ServeOptions:
     journal: str | None = option(
         "--journal",
         metavar="FILE.jsonl",
-        help="Write what clients ask and what happens; `rapidsim run --replay` runs it again.",
+        help="Write all requests and events; `rapidsim run --replay` runs it again.",
     )
     record: str | None = option(
         "--record",
@@ -190,13 +189,13 @@ class ServeOptions:
     ready_file: str | None = option(
         "--ready-file",
         metavar="FILE",
-        help="Write the first line to a file, too, which exists while the server listens.",
+        help="Also write the first line to a file that exists while the server listens.",
     )
     faults_port: int | None = option(
         "--faults-port",
         metavar="N",
         type=click.IntRange(0, 65535),
-        help="A port of this computer at which tests make the controller fail; 0 picks a free one.",
+        help="A port of this computer at which tests inject faults; 0 picks a free one.",
     )
     debug_port: int | None = option(
         "--debug",
@@ -298,7 +297,7 @@ def _require_consistent(options: ServeOptions, ports: tuple[int | None, int | No
     if "-" in options.paths:
         raise InputError("serve reads no program from standard input", "name a file or a folder")
     if ports == (None, None):
-        raise InputError("--rws1-port off, --rws2-port off: nobody could reach the controller")
+        raise InputError("--rws1-port off, --rws2-port off: no client could reach the controller")
     if options.view and options.record is None:
         raise InputError("--view: it shows what --record FILE.rrd writes")
     if options.view:
@@ -311,7 +310,7 @@ def _require_consistent(options: ServeOptions, ports: tuple[int | None, int | No
         raise InputError(
             f"--host {options.host}: other computers reach it, and default passwords are known to "
             "all",
-            "`--user NAME:PASSWORD` or `--user-file FILE` says who may come in",
+            "`--user NAME:PASSWORD` or `--user-file FILE` sets who may log in",
         )
 
 
@@ -367,7 +366,7 @@ def _ports(options: ServeOptions) -> tuple[int | None, int | None]:
         ("--rws2-port", options.rws2_port, second),
     ):
         if default == "off" and text not in (None, "off"):
-            raise InputError(f"{name} {text}: RobotWare {options.robotware} does not speak it")
+            raise InputError(f"{name} {text}: RobotWare {options.robotware} does not support it")
     return (
         _port("--rws1-port", options.rws1_port or first),
         _port("--rws2-port", options.rws2_port or second),
@@ -417,7 +416,7 @@ def _origin(url: str) -> str:
     """
     parts = urlsplit(url)
     if parts.scheme not in ("http", "https") or not parts.netloc or parts.path.strip("/"):
-        raise InputError(f"--allow-origin: `{url}` is no origin such as http://localhost:3000")
+        raise InputError(f"--allow-origin: `{url}` is not an origin such as http://localhost:3000")
     return f"{parts.scheme}://{parts.netloc}".lower()
 
 
@@ -437,5 +436,5 @@ def _logins(options: ServeOptions) -> tuple[str, ...]:
 def _users(texts: tuple[str, ...]) -> dict[str, str]:
     for one in texts:
         if not one.partition(":")[0] or not one.partition(":")[2]:
-            raise InputError("--user: it takes NAME:PASSWORD, both of them")
+            raise InputError("--user: NAME:PASSWORD is needed, both parts")
     return {name: password for name, _, password in (one.partition(":") for one in texts)}

@@ -18,7 +18,7 @@ from rapidsim.extras import require
 @click.option(
     "--export",
     metavar="FOLDER",
-    help="Write a page with viewer and recording there, which any browser opens without a server.",
+    help="Write a page with viewer and recording to this folder; browsers need no server for it.",
 )
 @terminal_options
 def view(recording: str, export: str | None) -> int:

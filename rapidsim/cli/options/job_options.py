@@ -28,10 +28,10 @@ if TYPE_CHECKING:
 assume_missing_option = click.option(
     "--assume-missing",
     is_flag=True,
-    help="Assume that what no module declares exists: skip calls, use tool0 for tools.",
+    help="Assume that undeclared names exist: skip calls, use tool0 for tools.",
 )
 strict_option = click.option(
-    "--strict", is_flag=True, help="Fail on what is unknown, not simulated or not checked, too."
+    "--strict", is_flag=True, help="Also fail on anything unknown, not simulated or not checked."
 )
 
 
@@ -56,7 +56,7 @@ class InputOptions:
     """Options of the inputs, limits and clock of a run."""
 
     io: str | None = option(
-        "--io", metavar="FILE.toml", help="Signals and what happens to inputs; adds to the station."
+        "--io", metavar="FILE.toml", help="Signals and stimuli of inputs; adds to the station."
     )
     answers: str | None = option(
         "--answers", metavar="FILE", help="Answers to the program's questions, one per line."

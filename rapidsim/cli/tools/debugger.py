@@ -41,7 +41,7 @@ from rapidsim.simulation.progress import RunInProgress
 T = TypeVar("T")
 
 _HELP = (
-    "n: next statement, s: into a routine, back: step back, c: go on, w: call stack, "
+    "n: next statement, s: into a routine, back: step back, c: continue, w: call stack, "
     "p NAME: value, q: quit"
 )
 _PLACE = re.compile(r"\s*(?:(.+):)?(\d+)\s*(?:,(.*))?$")

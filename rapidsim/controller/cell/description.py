@@ -168,7 +168,7 @@ class Gripper:
     name: str = "the gripper"
     """Its name in findings."""
     close: Annotated[
-        Condition, Required('say what closes it, as in close = "doGrip = 1"', of_table=True)
+        Condition, Required('name what closes it, as in close = "doGrip = 1"', of_table=True)
     ]
     """While it holds, the gripper closes or is closed; otherwise it opens or is open."""
     closed: Condition | None = None
@@ -208,7 +208,7 @@ class DescribedFingers:
         NotNegative,
         Key("object"),
         Required(
-            "say where closing fingers meet the object, as in object = 12 [mm]", of_table=True
+            "state where closing fingers meet the object, as in object = 12 [mm]", of_table=True
         ),
     ]
     """Position at which closing fingers meet an object."""

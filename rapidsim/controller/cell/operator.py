@@ -65,7 +65,7 @@ class OperatorDialog:
                 return OperatorAnswer(index)
             if not self.is_interactive:
                 return OperatorAnswer(first, (AnswerNotAChoice(prompt, text, choices[first]),))
-            text = self._read_answer(f"`{text}` is none of the keys. {offered}")
+            text = self._read_answer(f"`{text}` is not one of the keys. {offered}")
         if ends:
             return None
         return OperatorAnswer(first, (QuestionUnanswered(prompt, choices[first]),))

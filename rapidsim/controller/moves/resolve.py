@@ -459,7 +459,7 @@ class Resolver:
                 raise Stopped(f"{wobj.ufmec}, which moves the work object, is not in this run")
             self.journal.unsimulated(
                 f"a work object moved by the mechanical unit {wobj.ufmec}",
-                "its user frame stands where `uframe` says; no [[external_axis]] carries it",
+                "its user frame is at `uframe`; no [[external_axis]] carries it",
                 place,
             )
         return placed

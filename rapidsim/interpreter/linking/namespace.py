@@ -180,7 +180,7 @@ def task_functions(
             number.value = error.errno
             return ""
         if name is None:
-            instead = "the parameter's own name where calls stand on later lines of one statement"
+            instead = "the parameter's own name where a statement has calls on later lines"
             stand_in(place, "ArgName", instead, None)
         return name or parameter
 

@@ -95,7 +95,7 @@ def hit_condition(text: str) -> Callable[[int], bool]:
     """
     match = _HIT_CONDITION.match(text)
     if match is None or (match[1] == "%" and int(match[2]) == 0):
-        raise ValueError(f"`{text}` is no number of hits, such as `3`, `= 3`, `> 3` or `% 3`")
+        raise ValueError(f"`{text}` is not a number of hits, such as `3`, `= 3`, `> 3` or `% 3`")
     operator, number = match[1], int(match[2])
     match operator:
         case "%":

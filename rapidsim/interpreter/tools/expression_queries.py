@@ -299,7 +299,7 @@ def _require_computing(function: RoutineSymbol, program: Program) -> None:
             if isinstance(node, tree.LateFunctionCall | tree.LateCall) or _ACTS & does(symbol):
                 text = f"`{symbol.name}`" if isinstance(symbol, LibrarySymbol) else "a late call"
                 raise QueryError(
-                    f"`{function.name}` acts: it comes to {text}; "
+                    f"`{function.name}` has effects: it reaches {text}; "
                     "an assertion may call functions that compute"
                 )
             if isinstance(symbol, RoutineSymbol) and symbol not in seen:

@@ -26,7 +26,7 @@ _SHARED = re.compile(
 )
 _MOST_NAMED = 3
 _WORLDS = (
-    "{} form one cell: their backups do not say where they are relative to each other, so their "
+    "{} form one cell: their backups do not state where they are relative to each other, so their "
     "world frames are taken as one; programs read no system parameters"
 )
 

@@ -85,7 +85,7 @@ class Job:
         if lacking is not None:
             raise InputError(
                 f"the catalogue has no {lacking.unknown}, the arm of the backup with "
-                f"{lacking.axis_count} axes, and no other arm stands in for it",
+                f"{lacking.axis_count} axes, and no other arm can replace it",
                 "--robot NAME runs the program on an arm of the catalogue",
             )
 
@@ -192,7 +192,7 @@ def _remarks(tasks: Iterable[TaskFiles]) -> Iterator[str]:
             yield f"task {task.name} has modules that cannot be read here: {names}"
         if task.left_out:
             names = ", ".join(task.left_out)
-            yield f"task {task.name}: left out, as backinfo.txt does not list them: {names}"
+            yield f"task {task.name}: skipped, because backinfo.txt does not list them: {names}"
 
 
 def _of_another_arm(request: RunRequest, station: Station, open_robot: OpenRobot) -> Iterator[str]:
@@ -210,7 +210,7 @@ def _of_lacking_arms(station: Station) -> Iterator[str]:
     for robot in station.robots[1:]:
         if robot.unknown and robot.can_be_guessed:
             yield (
-                f"the catalogue has no {robot.unknown}: the arm of the first robot stands in for "
+                f"the catalogue has no {robot.unknown}: the arm of the first robot replaces "
                 f"that of {robot.label}"
             )
 

@@ -171,4 +171,4 @@ def missing_neighbours(paths: Sequence[str], diagnostics: Iterable[Diagnostic]) 
         return None
     named = ", ".join(beside[:_NAMED_NEIGHBOURS])
     named += ", ..." if len(beside) > _NAMED_NEIGHBOURS else ""
-    return f"Modules beside it: {named}; name the folder to load them too."
+    return f"Modules next to it: {named}; name the folder to load them too."

@@ -103,7 +103,7 @@ class _Reader:
         # A joint of a transmission is not a joint of the robot, and may contain anything.
         elif tag not in _INSIDE.get(around, (tag,)) and "transmission" not in self.open:
             self.remarks.append(
-                f"{self.place}: `{tag}` is not allowed inside `{around}` and is left out"
+                f"{self.place}: `{tag}` is not allowed inside `{around}` and is skipped"
             )
             self.skipped = 1
         else:

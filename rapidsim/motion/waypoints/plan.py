@@ -273,7 +273,7 @@ def _kept_out(
                 message = (
                     f"the line between {points.pair(number)} goes through the origin of the base"
                 )
-                return Refused(message, "put a point beside it", number)
+                return Refused(message, "put a point next to it", number)
         else:
             where = (
                 f"the line between {points.pair(number)}" if plan.kind is Way.LINE else "the spline"

@@ -45,7 +45,7 @@ def evaluator_of(program: Program, state: ProgramState) -> Evaluator:
             case RoutineSymbol() as symbol:
                 return state.call(symbol, call.arguments)
             case _:
-                return NotStatic(f"`{call.name.text}` tells it while the program runs")
+                return NotStatic(f"`{call.name.text}` returns it only while the program runs")
 
     return Evaluator(program, read, call)
 

@@ -97,7 +97,7 @@ def _execute(
     try:
         routine.body(*required, **options)
     except NeedsRunError:
-        return f"`{routine.name}` asks where the robot is"
+        return f"`{routine.name}` reads where the robot is"
     except Stopped:
         return InstructionEffect(continues=False)
     except RapidError as error:

@@ -298,7 +298,7 @@ def assumptions(simulation: Simulation) -> str:
         "corner": "Shape of corners",
         "program_pointer": "Program pointer",
         "filter_time_s": "Smoothing of the command [s]",
-        "smoothing": "What is smoothed",
+        "smoothing": "Smoothed motion",
         "ramp": "Ramp",
         "fine_dwell_s": "Time at a fine point [s]",
     }

@@ -15,12 +15,12 @@ _INTRODUCTION = """\
 # Library
 
 The instructions and functions that RAPID predefines: {known} are known, so that a program that
-calls them is checked, and {simulated} of them are simulated. Of the others each entry says what a
-run does instead; the run says so too. Made from the source by
+calls them is checked, and {simulated} of them are simulated. For the others, each entry states what
+a run does instead; the run reports it, too. Made from the source by
 `python scripts/build_library_page.py`.
 
-What came with RobotWare 7 says so. What RobotWare 7 has no more is not listed: a station with
-`robotware = "7.13"` is refused nothing that RobotWare 6 has.
+Additions of RobotWare 7 are marked. What RobotWare 7 has dropped is not listed: with
+`robotware = "7.13"` a station may still use everything that RobotWare 6 has.
 
 `\\Name` is an optional argument, `|` divides arguments of which at most one may be given.
 """

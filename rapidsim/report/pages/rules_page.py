@@ -26,7 +26,7 @@ _INTRODUCTION = """\
 # Rules
 
 What `rapidsim check` finds, and what a run meets (family R). Each code has a page with an example
-and its cure. Made from the source by `python scripts/build_rules_page.py`; `rapidsim explain CODE`
+and its fix. Made from the source by `python scripts/build_rules_page.py`; `rapidsim explain CODE`
 prints the same.
 
 A code never changes its meaning. Rules marked *on request* are looked for with `--select` or

@@ -93,7 +93,7 @@ def _axis_speeds(simulation: Simulation) -> str | None:
     given = simulation.model.max_speed
     if given is not None:
         units = simulation.robots[0].robot.units("/s")
-        return f"axis speeds {_degrees(given)} {units}, as the station file says"
+        return f"axis speeds {_degrees(given)} {units}, from the station file"
     return "; ".join(of_robots(simulation, _speed_lender)) or None
 
 
@@ -112,7 +112,7 @@ def _acceleration(model: MotionModel, robot: Robot) -> str:
         fitted = ""
         if factors != (1.0,) * len(factors):
             numbers = ", ".join(f"{factor:g}" for factor in factors)
-            fitted = f", times {numbers} as the station file says"
+            fitted = f", times {numbers} from the station file"
         return f"{own.limits_text}{fitted}"
     measured = [a for joint in robot.joints if (a := joint.max_acceleration) is not None]
     if model.acceleration is not None:

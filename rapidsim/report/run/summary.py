@@ -278,7 +278,7 @@ def _likeness(robot: Robot) -> str:
             "as on arms that were compared"
         )
     else:
-        text += "nobody compared them with the maker's"
+        text += "they were not compared with the maker's"
     return f"{text}; keep a margin"
 
 

@@ -116,7 +116,7 @@ def cycle_page(robot: Robot, cycle: PickingCycle) -> RenderableType:
         return facts
     off = 100.0 * (cycle.fly_by_s / known.time_s - 1.0)
     origin = "not from a source" if known.source is None else known.source
-    facts.add_row("elsewhere", f"{known.time_s:g} s, {origin}: with z10 we are {off:+.0f} % off")
+    facts.add_row("elsewhere", f"{known.time_s:g} s, {origin}: z10 differs by {off:+.0f} %")
     return facts
 
 

@@ -222,10 +222,10 @@ def _while_closed(
             later = "" if confirmed_s is None else f" for another {confirmed_s - moves_s:.3f} s"
             yield _Fault(GripperNotAwaited(gripper.name, closed.text, f"not true{later}"), place)
         elif not _reads(closed, robot, simulation, switch, moves[0]):
-            state = "true by then, but nothing looks at it"
+            state = "true by then, but nothing reads it"
             yield _Fault(GripperNotAwaited(gripper.name, closed.text, state), place)
     if gripper.load_kg > 0.0 and not any(map(_is_loaded, moves)):
-        problem = f"holds {gripper.load_kg:g} kg, and no GripLoad says so for {_counted(moves)}"
+        problem = f"holds {gripper.load_kg:g} kg, but GripLoad is not set for {_counted(moves)}"
         yield _Fault(GripLoadMissing(gripper.name, problem), place)
 
 
@@ -233,7 +233,7 @@ def _loaded_when_open(gripper: Gripper, moves: Sequence[ExecutedMove]) -> Iterat
     loaded = [move for move in moves if _is_loaded(move)]
     if loaded:
         carried = f"{loaded[0].grip_load_kg:g} kg"
-        problem = f"is open, and GripLoad still says {carried} for {_counted(loaded)}"
+        problem = f"is open, but GripLoad is still {carried} for {_counted(loaded)}"
         yield _Fault(GripLoadMissing(gripper.name, problem), loaded[0].place)
 
 

@@ -184,7 +184,7 @@ def _without_rings(
 ) -> tuple[tuple[CrossConnection, ...], tuple[str, ...]]:
     kept = tuple(one for one in crosses if not follows_itself(one, crosses))
     left_out = dict.fromkeys(one.result for one in crosses if one not in kept)
-    return kept, tuple(f"EIO.cfg: `{name}` depends on itself: left out" for name in left_out)
+    return kept, tuple(f"EIO.cfg: `{name}` depends on itself: skipped" for name in left_out)
 
 
 def _number(text: str | None) -> float | None:

@@ -19,6 +19,6 @@ MODULE regain_turned
     ConfJ \Off;
     MoveJ RelTool(back,0,0,0\Rz:=25),v500,fine,tool0;
     RestoPath;
-    StartMove;                          ! stops: the robot stands 0.0 mm and 25.0 deg off where it left its path; move it back before RestoPath (ERR_PATHDIST)
+    StartMove;                          ! stops: the robot is 0.0 mm and 25.0 deg away from where it left its path; move it back before RestoPath (ERR_PATHDIST)
   ENDTRAP
 ENDMODULE

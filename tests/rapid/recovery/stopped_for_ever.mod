@@ -6,6 +6,6 @@ MODULE stopped_for_ever
   PROC main()
     MoveJ p1,v500,fine,tool0;
     StopMove;
-    MoveL p2,v500,fine,tool0;           ! stops: the robot was stopped by StopMove, and nothing starts it again
+    MoveL p2,v500,fine,tool0;           ! stops: the robot was stopped by StopMove, and nothing restarts it
   ENDPROC
 ENDMODULE

@@ -13,7 +13,7 @@ MODULE loop_that_polls
     TPWrite "after "\Num:=Round(ClkRead(watch)); ! -> after 30
     ! Nothing can change what this one looks at.
     IDelete tick;
-    WHILE ticks<4 DO                    ! stops: the program loops forever here: nothing that it looks at ever changes
+    WHILE ticks<4 DO                    ! stops: the program loops forever here: nothing that it reads ever changes
     ENDWHILE
   ENDPROC
 

@@ -138,7 +138,7 @@ def _load_problem(load: object) -> str | None:
     if not isinstance(mass, float) or centre is None or inertia is None:
         return None
     if mass == _UNIDENTIFIED:
-        return "has mass -1: nobody has defined it yet"
+        return "has mass -1: it has not been defined yet"
     if mass <= 0.0:
         return f"has mass {mass:g} kg"
     if min(inertia) < 0.0:

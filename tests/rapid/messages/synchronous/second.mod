@@ -24,7 +24,7 @@ MODULE second
     RMQReadWait message\TimeOut:=WAIT_MAX;
     RMQGetMsgHeader message\Header:=header;
     TPWrite header.datatype;  ! -> num
-    RMQReadWait message\TimeOut:=WAIT_MAX;  ! stops: `RMQReadWait` waits for a message, and nobody sends one
+    RMQReadWait message\TimeOut:=WAIT_MAX;  ! stops: `RMQReadWait` waits for a message, and none is sent
   ERROR
     IF ERRNO=ERR_RMQ_TIMEOUT THEN
       TPWrite "nothing";
