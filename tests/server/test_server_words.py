@@ -183,8 +183,11 @@ def test_states_that_are_subscribed_to_have_events_of_their_own_class(
 
 @pytest.mark.parametrize(
     ("name", "kind", "word"),
-    [("n", "rap-sympropvar", "var"), ("k", "rap-symproppers", "per")]
-    + [("c", "rap-sympropconstant", "con")],
+    [
+        ("n", "rap-sympropvar", "var"),
+        ("k", "rap-symproppers", "per"),
+        ("c", "rap-sympropconstant", "con"),
+    ],
 )
 def test_each_storage_has_its_class(
     switched: tuple[Engine, list[Notification]], name: str, kind: str, word: str
