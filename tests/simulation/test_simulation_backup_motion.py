@@ -452,7 +452,7 @@ def test_an_unknown_second_arm_is_said_to_be_a_guess(tmp_path: Path) -> None:
         ("TASK1/m.mod", "error"),
         ("TASK2/m.mod", "warning"),
     ]
-    said = "the catalogue has no ROB2_6700_LeanID_2.65_220: the arm of the first robot stands in"
+    said = "the catalogue has no ROB2_6700_LeanID_2.65_220: the arm of the first robot replaces"
     assert said in " ".join(call("check", ".", "--no-cache", cwd=cell).err.split())
 
 
