@@ -73,8 +73,7 @@ def check_reach(
         by_default: Whether the arm is the default one, because no input names an arm.
     """
     options = options or RunOptions()
-    if options.external_axes:
-        robot = replace(robot, external=options.external_axes)
+    robot = replace(robot, external=options.external_axes or robot.external)
     walked = walk_program(program)
     budget = cycle_budget_s if run else None
     if not walked.written and budget is None:
