@@ -46,6 +46,8 @@ class _FileStream(rr.RecordingStream):
                 if any(words in str(error) for words in _WRITER_FAILED):
                     raise
             written, before = self._file.stat().st_size, written
+        # At the end of the process rerun would wait for that writer, too, and for ever.
+        rr.unregister_shutdown()
         raise RuntimeError(f"{_WRITER_FAILED[0]} has stopped")
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import subprocess
 import sys
+import uuid
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -13,6 +14,7 @@ import rerun as rr
 from recording_cell import cell
 
 from rapidsim.files import InputError
+from rapidsim.recording import stream
 from rapidsim.recording.layout.write import record
 
 RECORD = """
@@ -104,3 +106,23 @@ def test_a_writer_that_has_stopped_is_not_waited_for(
     assert waits
     assert max(waits) < 60.0
     assert not list(tmp_path.iterdir())
+
+
+def test_nothing_waits_for_a_writer_that_has_stopped(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """On a full disk rerun's writer stops unseen in one of thirty runs."""
+
+    def flush(self: rr.RecordingStream, *, timeout_sec: float) -> None:
+        raise RuntimeError(f"Flush timed out after {timeout_sec} s")
+
+    unregistered: list[bool] = []
+    file = tmp_path / "frame.rrd"
+    file.write_bytes(b"begun")
+    stopped = stream._FileStream(file, uuid.uuid4())
+    with monkeypatch.context() as patched:
+        patched.setattr(rr.RecordingStream, "flush", flush)
+        patched.setattr(rr, "unregister_shutdown", lambda: unregistered.append(True))
+        with pytest.raises(RuntimeError, match="has stopped"):
+            stopped.flush()
+    assert unregistered == [True]
