@@ -12,7 +12,8 @@ import math
 from collections.abc import Mapping, Sequence
 from typing import TypeAlias
 
-from rapidsim.motion.robot.external_axes import LETTERS
+from rapidsim.frames.transform import Array, Transform
+from rapidsim.motion.robot.external_axes import LETTERS, Carried, ExternalAxis
 from rapidsim.station.backup.cfg_file import Configuration, Instance
 from rapidsim.station.backup.robots import bounds, number
 from rapidsim.values import value_class
@@ -34,10 +35,37 @@ class AxisDrive:
     max_speed: float
     max_acceleration: float
 
-    @property
-    def start(self) -> float:
-        """Position before the first move: zero, or the nearest one in the range."""
-        return min(max(0.0, self.lower), self.upper)
+    def axis(
+        self,
+        unit: str,
+        carries: Carried | None,
+        direction: Array,
+        world_from_user: Transform | None = None,
+        *,
+        linear: bool,
+    ) -> ExternalAxis:
+        """Return the axis of a unit, which starts at zero, or at the nearest place in its range.
+
+        Args:
+            unit: Name of the mechanical unit.
+            carries: Object that it moves.
+            direction: Shape (3,): its direction in the world, with all axes at zero.
+            world_from_user: User frame that it carries then; None for the world.
+            linear: Whether it slides.
+        """
+        return ExternalAxis(
+            unit=unit,
+            letter=self.letter,
+            linear=linear,
+            lower=self.lower,
+            upper=self.upper,
+            max_speed=self.max_speed,
+            max_acceleration=self.max_acceleration,
+            start=min(max(0.0, self.lower), self.upper),
+            carries=carries,
+            direction=tuple(direction.tolist()),
+            world_from_user=world_from_user or Transform.identity(),
+        )
 
 
 def by_name(motion: Configuration) -> Named:

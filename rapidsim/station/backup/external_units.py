@@ -14,7 +14,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import field
 
 from rapidsim.frames.transform import Transform
-from rapidsim.motion.robot.external_axes import ExternalAxis
+from rapidsim.motion.robot.external_axes import Carried, ExternalAxis
 from rapidsim.station.backup.axis_drives import Named, axis_drive, by_name, instance_of
 from rapidsim.station.backup.cfg_file import SWITCHED_ON, Configuration
 from rapidsim.station.backup.gantries import gantries
@@ -133,16 +133,5 @@ def _axis(unit: str, name: str, named: Named, *, carries_robot: bool) -> Externa
         return None
     linear = mechanics in _LINEAR
     frame = base_frame(single)
-    return ExternalAxis(
-        unit=unit,
-        letter=drive.letter,
-        linear=linear,
-        lower=drive.lower,
-        upper=drive.upper,
-        max_speed=drive.max_speed,
-        max_acceleration=drive.max_acceleration,
-        start=drive.start,
-        carries=("robot" if carries_robot else None) if linear else "wobj",
-        direction=tuple(frame.rotation[:, 0 if linear else 2].tolist()),
-        world_from_user=frame,
-    )
+    carries: Carried | None = ("robot" if carries_robot else None) if linear else "wobj"
+    return drive.axis(unit, carries, frame.rotation[:, 0 if linear else 2], frame, linear=linear)

@@ -63,20 +63,7 @@ def _gantry(unit: str, robot: Instance, named: Named) -> Gantry | None:
         if drive is None or turns or any(number(form, key) for key in _UNSUPPORTED):
             return None
         frame = frame @ _joint_frame(form)
-        axes.append(
-            ExternalAxis(
-                unit=unit,
-                letter=drive.letter,
-                linear=True,
-                lower=drive.lower,
-                upper=drive.upper,
-                max_speed=drive.max_speed,
-                max_acceleration=drive.max_acceleration,
-                start=drive.start,
-                carries="robot",
-                direction=tuple(frame.rotation[:, 2].tolist()),
-            )
-        )
+        axes.append(drive.axis(unit, "robot", frame.rotation[:, 2], linear=True))
     return Gantry(tuple(axes), frame) if axes else None
 
 
