@@ -37,15 +37,16 @@ def read_gltf(name: str, data: bytes, read_neighbour: Beside) -> tuple[Array, Fa
         InputError: If the data are not glTF, damaged, or have an unsupported encoding.
     """
     try:
-        tree, binary = _parts(data)
-        return _Scene(name, tree, binary, read_neighbour).triangles()
+        tree, binary = parts_of(data)
+        return _Scene(name, tree, Accessors(name, tree, binary, read_neighbour)).triangles()
     except (ValueError, LookupError, TypeError, AttributeError, OverflowError, binascii.Error):
         raise InputError(f"{name} is not a readable glTF file") from None
     except RecursionError:
         raise InputError(f"{name} is nested too deeply") from None
 
 
-def _parts(data: bytes) -> tuple[dict[str, Any], bytes]:
+def parts_of(data: bytes) -> tuple[dict[str, Any], bytes]:
+    """Return the description of a file, and the buffer that a binary one contains."""
     if data[:4] != _MAGIC:
         return json.loads(data), b""
     chunks: dict[bytes, bytes] = {}
@@ -57,12 +58,55 @@ def _parts(data: bytes) -> tuple[dict[str, Any], bytes]:
     return json.loads(chunks[b"JSON"]), chunks.get(b"BIN\0", b"")
 
 
-class _Scene:
+class Accessors:
+    """The arrays of a file."""
+
     def __init__(
         self, name: str, tree: dict[str, Any], binary: bytes, read_neighbour: Beside
     ) -> None:
+        """Read nothing yet; see `parts_of` for the description and the contained buffer."""
         self._name, self._tree, self._binary, self._beside = name, tree, binary, read_neighbour
         self._buffers: dict[int, bytes] = {}
+
+    def rows(self, accessor: int) -> Array:
+        """Return the rows (k, width) of an accessor.
+
+        Raises:
+            InputError: If it is sparse; errors of `read_gltf` for other damage.
+        """
+        told = self._tree["accessors"][accessor]
+        if "sparse" in told or "bufferView" not in told:
+            raise InputError(f"{self._name}: an accessor is sparse", "export it as plain arrays")
+        view = self._tree["bufferViews"][told["bufferView"]]
+        number = np.dtype(_TYPES[told["componentType"]])
+        width, count = _WIDTHS[told["type"]], int(told["count"])
+        start = view.get("byteOffset", 0) + told.get("byteOffset", 0)
+        step = view.get("byteStride", width * number.itemsize)
+        data = self._buffer(view["buffer"])
+        if (
+            count < 1
+            or start < 0
+            or step < 1
+            or start + (count - 1) * step + width * number.itemsize > len(data)
+        ):
+            raise ValueError
+        return np.ndarray((count, width), number, data, start, (step, number.itemsize))
+
+    def _buffer(self, number: int) -> bytes:
+        if number not in self._buffers:
+            where = self._tree["buffers"][number].get("uri")
+            if where is None:
+                self._buffers[number] = self._binary
+            elif where.startswith("data:"):
+                self._buffers[number] = base64.b64decode(where.partition(",")[2], validate=True)
+            else:
+                self._buffers[number] = self._beside(where)
+        return self._buffers[number]
+
+
+class _Scene:
+    def __init__(self, name: str, tree: dict[str, Any], accessors: Accessors) -> None:
+        self._name, self._tree, self._accessors = name, tree, accessors
         self._corners: list[Array] = []
         self._faces: list[Faces] = []
         self._count = 0
@@ -100,9 +144,9 @@ class _Scene:
                 )
             if primitive.get("mode", _TRIANGLES) != _TRIANGLES:
                 continue
-            corners = self._numbers(primitive["attributes"]["POSITION"]).astype(np.float64)
+            corners = self._accessors.rows(primitive["attributes"]["POSITION"]).astype(np.float64)
             if "indices" in primitive:
-                faces = self._numbers(primitive["indices"]).astype(np.int64).reshape(-1, 3)
+                faces = self._accessors.rows(primitive["indices"]).astype(np.int64).reshape(-1, 3)
             else:
                 faces = np.arange(len(corners)).reshape(-1, 3)
             if len(faces) and faces.max() >= len(corners):
@@ -111,37 +155,6 @@ class _Scene:
             self._count += len(corners)
             self._corners.append(corners @ scene_from_mesh[:3, :3].T + scene_from_mesh[:3, 3])
             require_few(self._name, sum(map(len, self._faces)))
-
-    def _numbers(self, accessor: int) -> Array:
-        """Return the rows (k, width) of an accessor."""
-        told = self._tree["accessors"][accessor]
-        if "sparse" in told or "bufferView" not in told:
-            raise InputError(f"{self._name}: an accessor is sparse", "export it as plain arrays")
-        view = self._tree["bufferViews"][told["bufferView"]]
-        number = np.dtype(_TYPES[told["componentType"]])
-        width, count = _WIDTHS[told["type"]], int(told["count"])
-        start = view.get("byteOffset", 0) + told.get("byteOffset", 0)
-        step = view.get("byteStride", width * number.itemsize)
-        data = self._buffer(view["buffer"])
-        if (
-            count < 1
-            or start < 0
-            or step < 1
-            or start + (count - 1) * step + width * number.itemsize > len(data)
-        ):
-            raise ValueError
-        return np.ndarray((count, width), number, data, start, (step, number.itemsize))
-
-    def _buffer(self, number: int) -> bytes:
-        if number not in self._buffers:
-            where = self._tree["buffers"][number].get("uri")
-            if where is None:
-                self._buffers[number] = self._binary
-            elif where.startswith("data:"):
-                self._buffers[number] = base64.b64decode(where.partition(",")[2], validate=True)
-            else:
-                self._buffers[number] = self._beside(where)
-        return self._buffers[number]
 
 
 def _matrix(node: dict[str, Any]) -> Array:

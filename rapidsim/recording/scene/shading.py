@@ -15,7 +15,9 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
+from rapidsim.collisions.meshes.gltf import Accessors, parts_of
 from rapidsim.collisions.meshes.triangles import Faces
+from rapidsim.files import InputError
 from rapidsim.frames.transform import Array
 from rapidsim.repeated_rows import repeated
 
@@ -23,8 +25,6 @@ _COS_CREASE = np.cos(np.radians(38.0))
 """Faces that meet at a larger angle keep a sharp edge between them."""
 _STEPS = 500.0
 """Inverse of the difference between unit vectors up to which a vertex has one normal."""
-_TREE_AT = 20
-"""Place [bytes] of the description in a binary glTF file."""
 _ONLY = frozenset({"asset", "scene", "scenes", "nodes", "meshes", "materials"})
 _DATA = frozenset({"accessors", "bufferViews", "buffers"})
 _UNSIGNED_SHORT, _UNSIGNED_INT, _FLOAT = 5123, 5125, 5126
@@ -37,22 +37,21 @@ def shaded(data: bytes) -> bytes:
     Any other file is returned unchanged: one with normals or textures, or an unreadable one.
     """
     try:
-        length = int.from_bytes(data[12:16], "little")
-        tree = json.loads(data[_TREE_AT : _TREE_AT + length])
-        binary = data[_TREE_AT + length + 8 :]
-        if not tree.keys() <= _ONLY | _DATA:
+        tree, binary = parts_of(data)
+        accessors = Accessors("", tree, binary, lambda _: b"")
+        if not binary or not tree.keys() <= _ONLY | _DATA:
             return data
         primitives = [one for mesh in tree["meshes"] for one in mesh["primitives"]]
         if any(one["attributes"].keys() != {"POSITION"} for one in primitives):
             return data
         meshes = [
             smooth(
-                _numbers(tree, binary, one["attributes"]["POSITION"]).astype(np.float64),
-                _numbers(tree, binary, one["indices"]).astype(np.int64).reshape(-1, 3),
+                accessors.rows(one["attributes"]["POSITION"]).astype(np.float64),
+                accessors.rows(one["indices"]).astype(np.int64).reshape(-1, 3),
             )
             for one in primitives
         ]
-    except (ValueError, LookupError, TypeError, AttributeError):
+    except (InputError, ValueError, LookupError, TypeError, AttributeError, OverflowError):
         return data
     written = _Buffer()
     for primitive, (vertices, normals, faces) in zip(primitives, meshes, strict=True):
@@ -93,18 +92,6 @@ def smooth(vertices: Array, faces: Faces) -> tuple[Array, Array, Faces]:
         key = key * (2 * int(_STEPS) + 1) + axis
     _, kept, index = np.unique(key, return_index=True, return_inverse=True)
     return vertices[vertex[kept]], normals[kept], index.reshape(-1, 3)
-
-
-def _numbers(tree: dict[str, Any], binary: bytes, number: int) -> npt.NDArray[Any]:
-    """Return the rows of an accessor; a ValueError if they are not plain rows of the one buffer."""
-    accessor = tree["accessors"][number]
-    view = tree["bufferViews"][accessor["bufferView"]]
-    if "sparse" in accessor or "byteStride" in view or "uri" in tree["buffers"][view["buffer"]]:
-        raise ValueError
-    width = {"SCALAR": 1, "VEC3": 3}[accessor["type"]]
-    start = view.get("byteOffset", 0) + accessor.get("byteOffset", 0)
-    kind = _NUMBERS[accessor["componentType"]]
-    return np.frombuffer(binary, kind, width * accessor["count"], start).reshape(-1, width)
 
 
 class _Buffer:
