@@ -69,7 +69,7 @@ def reach_from(
         row
         for row in range(len(known))
         if row not in placed.left_out
-        and not placed.is_carried(row)
+        and not placed.carried[row]
         and not may_be_wrist_driven(known[row], robot)
     ]
     to_poses = np.array([row for row in rows if not placed.to_axes[row]], dtype=np.int64)

@@ -7,6 +7,8 @@ from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace
 
+import numpy as np
+
 from rapidsim.analysis.program import Program
 from rapidsim.diagnostics import Diagnostic, Severity, Span
 from rapidsim.frames.transform import Array
@@ -73,7 +75,7 @@ def check_reach(
         by_default: Whether the arm is the default one, because no input names an arm.
     """
     options = options or RunOptions()
-    robot = replace(robot, external=options.external_axes or robot.external)
+    robot = options.with_axes(robot)
     walked = walk_program(program)
     budget = cycle_budget_s if run else None
     if not walked.written and budget is None:
@@ -154,8 +156,7 @@ def _needs_run(
     """Whether moves, contacts or cycle time need a run of main, and no frame prevents it."""
     if FRAME_WITHOUT_ORIENTATION in placed.left_out.values():
         return False
-    carried = any(placed.is_carried(row) for row in range(len(placed.moves)))
-    has_unplaced = bool(walked.unknown or placed.left_out or carried)
+    has_unplaced = bool(walked.unknown or placed.left_out or placed.carried.any())
     return has_unplaced or cycle_budget_s is not None or options.geometry is not None
 
 
@@ -200,7 +201,7 @@ def _unrun_collisions(
         if known.call not in run_moves.met
         and known.previous is not None
         and row not in placed.left_out
-        and not placed.is_carried(row)
+        and not placed.carried[row]
         and sure[row]
         and sure[known.previous]
         and row not in broken
@@ -312,7 +313,8 @@ def _coverage(
         if row not in left_out and ends.looked_at[row]
     }
     reasons = {walked.moves[row].call: why for row, why in left_out.items()}
-    carried = {known.call for row, known in enumerate(walked.moves) if placed.is_carried(row)}
+    of_text = placed.carried[: len(walked.moves)]
+    carried = {walked.moves[row].call for row in np.flatnonzero(of_text).tolist()}
     met = frozenset() if run_moves is None else run_moves.met
     values = runs = 0
     unchecked: list[UncheckedMove] = []

@@ -37,7 +37,7 @@ class ReachSuggestions:
 
     def of(self, row: int) -> str | None:
         """Return the suggestion for a move with an unreachable end; None if none was found."""
-        if not has_branches(self.robot.kinematics) or self.posed.is_carried(row):
+        if not has_branches(self.robot.kinematics) or self.posed.carried[row]:
             return None
         parts = [part for part in (self._shift(row), self._turn(row)) if part is not None]
         return ", or ".join(parts) if parts else None

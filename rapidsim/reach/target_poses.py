@@ -40,12 +40,10 @@ class PosedMoves:
     """Shape (k, e) [m or rad]: external axes at the end."""
     placed: Sequence[targets.Placement]
     """Poses of tool and work object of each; identities if they are not simulated."""
+    carried: Mask
+    """Whether external axes move the base or the work object, or the tool is stationary."""
     left_out: Mapping[int, str]
     """Reasons for skipping rows: an unsupported set-up, an invalid orientation."""
-
-    def is_carried(self, row: int) -> bool:
-        """Whether external axes move the base or the work object, or the tool is stationary."""
-        return self.placed[row].carrier is not None
 
 
 def posed(
@@ -78,8 +76,10 @@ def posed(
         if at == len(placements):
             placements.append(_placement(*pair, base_from_world, external))
         frame[row] = at
-        values[row], reason = _external_values(known, external)
-        reason = _skip_reason(known, placements[at], robot) or reason
+        reason = _skip_reason(known, placements[at], robot)
+        if external:
+            values[row], unknown = _external_values(known, external)
+            reason = reason or unknown
         if reason is not None:
             left_out[row] = reason
         if isinstance(move.to, JointTarget):
@@ -125,6 +125,7 @@ def posed(
         to_axes,
         values,
         placed,
+        np.array([one is not None for one in carriers], dtype=bool)[frame],
         left_out,
     )
 
@@ -134,8 +135,6 @@ def _external_values(
 ) -> tuple[Array, str | None]:
     """External axes (e,) [m or rad] at the end of a move, and why they are not known."""
     unknown = np.zeros(len(external))
-    if not external:
-        return unknown, None
     settings, uncertain = known_move.settings, known_move.uncertain
     passive = settings.inactive_units or settings.independent_axes
     if passive or not uncertain.isdisjoint(AXES_IN_USE):

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import field
+from dataclasses import field, replace
 from datetime import datetime
 from pathlib import Path
 from types import MappingProxyType
@@ -16,6 +16,7 @@ from rapidsim.frames.transform import Transform
 from rapidsim.language.equipment import Configured
 from rapidsim.motion.model import MotionModel
 from rapidsim.motion.robot.external_axes import ExternalAxis
+from rapidsim.motion.robot.robot import Robot
 from rapidsim.values import value_class
 
 
@@ -75,6 +76,10 @@ class RunOptions:
     guesses_frames: bool = True
     """Whether to place a work object at its `uframe` if the unit that should move it is not in the
     run; else the run stops there."""
+
+    def with_axes(self, robot: Robot) -> Robot:
+        """Return an arm with the external axes of the run."""
+        return replace(robot, external=self.external_axes) if self.external_axes else robot
 
     @property
     def cell(self) -> CellInputs:

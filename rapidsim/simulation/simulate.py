@@ -44,10 +44,8 @@ def simulate(program: Program, robot: Robot, *, options: RunOptions) -> Simulati
     Raises:
         InputError: If the speed limits of the arm's axes are unknown.
     """
-    if options.external_axes:
-        robot = replace(robot, external=options.external_axes)
-    start, place = options.start_joints_deg, options.world_from_base
-    setup = TaskSetup(options.task, program, robot, start, place, queue=options.queue)
+    arm, start, place = options.with_axes(robot), options.start_joints_deg, options.world_from_base
+    setup = TaskSetup(options.task, program, arm, start, place, queue=options.queue)
     return simulate_tasks((setup,), options)
 
 
