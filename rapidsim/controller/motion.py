@@ -137,10 +137,13 @@ class TaskMotion:
         return JointTarget(self.resolver.rob_joint(joints), target.extax)
 
     def finish(self) -> None:
-        """Bring the robot to rest after the last statement."""
+        """Bring the robot to rest after the last statement.
+
+        Raises:
+            WaitsForever: If StopMove keeps it from the rest of its path.
+        """
         self.unit.end_guidance()
-        queue = self.unit.queue
-        if queue.is_open and not queue.is_halted:
+        if self.unit.queue.is_open:
             self.clock.resolve_time()
             self.clock.drive_to_stop()
         self.clock.pass_time(max(self.clock.resolve_time(), self.unit.trajectory.duration))

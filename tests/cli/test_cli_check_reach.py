@@ -46,19 +46,19 @@ def test_a_finding_says_how_far_why_and_what_cures_it(folder: Path) -> None:
     assert "cell.mod:6:11 in main" in text
     assert "cell.mod:2" in text or "2 | PERS wobjdata table" in text
     assert "with `table` moved 82 mm toward the base" in text
-    assert "Reach of 1 of 2 moves checked on irb1600: 1 by value." in text
+    assert "Reach checked for 1 of 2 moves on irb1600." in text
     assert "not checked: cell.mod:8: `height` comes from `TPReadNum`" in text
 
 
 def test_an_arm_that_nobody_named_is_said(folder: Path) -> None:
     done = rapidsim("check", "cell.mod", cwd=folder)
-    assert "checked on irb1600-6-1.2" not in done.out
+    assert "moves on irb1600-6-1.2" not in done.out
     assert "(best of the catalogue: 1 of 1 targets reached, 1 as stored; next irb" in done.out
-    assert "; --robot names another): 1 by value." in done.out
+    assert "; --robot names another)." in done.out
     # No arm reaches so far.
     (folder / "cell.mod").write_text(FAR.replace("[[1300", "[[9300"))
     done = rapidsim("check", "cell.mod", cwd=folder)
-    assert "checked on irb1600-6-1.2 (by default; --robot names another): 1 by value." in done.out
+    assert "for 1 of 2 moves on irb1600-6-1.2 (by default; --robot names another)." in done.out
 
 
 def test_targets_out_of_reach_of_an_arm_that_nobody_named_are_one_finding(folder: Path) -> None:
@@ -234,4 +234,4 @@ modules = ["right.mod"]
 """
     )
     text = rapidsim("check", ".", cwd=tmp_path).out
-    assert "checked on irb1600 (from rapidsim.toml), irb2600-12-1.65: 2 by value." in text
+    assert "Reach checked for all 2 moves on irb1600 (from rapidsim.toml), irb2600-12-1.65." in text

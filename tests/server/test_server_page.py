@@ -136,7 +136,7 @@ def test_a_downloaded_backup_is_a_cell_that_checks(tmp_path: Path) -> None:
             archive.extractall(tmp_path / "backup")
 
     serve(cell(tmp_path), None, use)
-    assert "Reach of 1 of 1 move checked" in call("check", "backup", cwd=tmp_path).out
+    assert "Reach checked for 1 move on" in call("check", "backup", cwd=tmp_path).out
 
 
 def test_the_panels_say_what_an_arm_a_task_and_a_rule_are(tmp_path: Path) -> None:

@@ -28,17 +28,16 @@ def coverage_lines(coverage: Coverage, robot: str) -> Iterator[str]:
 
 
 def _counts(coverage: Coverage, robot: str) -> str:
-    ways = [
-        f"{count} {way}"
-        for count, way in (
-            (coverage.by_value, "by value"),
-            (coverage.by_run, "by a run of main"),
-        )
-        if count
-    ]
-    how = f": {', '.join(ways)}" if ways else ""
+    how = ""
+    if coverage.by_run:
+        by_value = f"{coverage.by_value} by value, " if coverage.by_value else ""
+        how = f": {by_value}{coverage.by_run} by a run of main"
     moves = "1 move" if coverage.moves == 1 else f"{coverage.moves} moves"
+    if coverage.checked < coverage.moves:
+        moves = f"{coverage.checked} of {moves}"
+    elif coverage.moves > 1:
+        moves = f"all {moves}"
     paths = ""
     if coverage.unchecked_paths:
         paths = f"; the path of {coverage.paths_checked} of {coverage.paths} lines and arcs"
-    return f"Reach of {coverage.checked} of {moves} checked on {robot}{how}{paths}."
+    return f"Reach checked for {moves} on {robot}{how}{paths}."
