@@ -21,6 +21,7 @@ HEAD = """MODULE cell
     [[800,50,600],[0,0,1,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]],
     [[800,100,600],[0,0,1,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]]];
   PERS wobjdata table:=[FALSE,TRUE,"",[[0,0,0],[1,0,0,0]],[[0,0,0],[1,0,0,0]]];
+  PERS bool busy:=FALSE;
   VAR num n:=3;
   VAR num asked;
 """
@@ -48,6 +49,10 @@ KNOWN = {
     "label": "n:=5; IF TestDI(di1) GOTO on; n:=5; on: MoveJ Offs(p,n,0,0),v500,fine,tool0; n:=6;",
     "jump back": "again: n:=5; MoveJ Offs(p,n,0,0),v500,fine,tool0; IF TestDI(di1) GOTO again;",
     "another case": "TEST n CASE 3: n:=4; CASE 4: MoveJ p,v500,fine,tool0; ENDTEST",
+    "output": "MoveLDO p,v500,fine,tool0,doGlue,1;",
+    "group output": r"MoveCGO row{1},row{2},v500,fine,tool0,goGlue\Value:=2;",
+    "search": r"VAR robtarget q; IF n>9 SearchL \PStop,di1,q,p,v50,tool0;",
+    "search for a persistent": r"VAR robtarget q; SearchL \PStop,busy,q,p,v50,tool0;",
     "incremented": "Incr n; Add n,2; MoveJ Offs(p,n,0,0),v500,fine,tool0;",
 }
 
@@ -111,7 +116,7 @@ ENDMODULE
     )
     assert found.counts == (0, 0, 2)
     (first, why), (second, whose) = found.reasons
-    assert (first, second) == (11, 14)
+    assert (first, second) == (12, 15)
     assert "`asked` comes from `TPReadNum`" in why
     assert "asked the operator" in why
     assert "parameter `x` differs from call to call" in whose

@@ -466,7 +466,7 @@ class AbstractInterpreter:
         done: InstructionEffect | str = "only a run can tell"
         if moving or fields or not signature.takes_controller:
             done = perform(routine, call.arguments, self._evaluator, recorder)
-        why = done if isinstance(done, str) else None
+        why = done if isinstance(done, str) and not recorder.moves else None
         if isinstance(done, InstructionEffect):
             for path, value in done.written:
                 self._store(path, value)

@@ -50,6 +50,14 @@ class ControllerStub:
         del identity, move
         put()
 
+    def search(self, move: Move, *details: object) -> NoReturn:
+        """Record the move of a search; only a run tells where it finds its signal."""
+        del details
+        self.moves.append(move)
+        raise NeedsRunError("search")
+
+    search_joints = search
+
     def part_pose(self, search: str) -> Pose | None:
         """Return None, for a part at its taught position; other positions require a run."""
         del search

@@ -9,21 +9,26 @@ from rapidsim.analysis.evaluation import Evaluator, Known, NotStatic
 from rapidsim.interpreter.codegen.calls import match_arguments
 from rapidsim.interpreter.codegen.data_access import by_reference
 from rapidsim.interpreter.codegen.written_paths import bare
+from rapidsim.language.annotations import ParameterMode
 from rapidsim.language.controller import uniform_controller
+from rapidsim.language.data import Signal
 from rapidsim.language.errors import RapidError, Stopped
 from rapidsim.language.path_events import RaiseInterrupt, Trigger
 from rapidsim.language.reference import Box
-from rapidsim.language.types import ArrayOf, resolved
+from rapidsim.language.types import SIGNALS, ArrayOf, resolved
 from rapidsim.library.predefined import TYPES
-from rapidsim.library.table import LibraryRoutine
+from rapidsim.library.table import LibraryRoutine, Parameter
+from rapidsim.library.traits import Trait
 from rapidsim.reach.dataflow.controller_stub import ControllerStub, NeedsRunError
 from rapidsim.reach.dataflow.known_values import argument_values
 from rapidsim.syntax import tree
 from rapidsim.values import value_class
 
 _TRIGGER = TYPES["triggdata"]
+_EVENT_TYPES = {_TRIGGER, *SIGNALS}
 _ANY_TRIGGER = Trigger(RaiseInterrupt(0.0))
-"""Value of all triggers: events along the path of a move do not affect it."""
+_ANY_SIGNAL = Signal("any")
+"""Values of all triggers and signals: what happens along the path of a move does not affect it."""
 _Reference: TypeAlias = tuple[Box[Known], Known, tree.Expression | None]
 """Box that an instruction may write, its value before, and the argument that names the data."""
 
@@ -57,7 +62,8 @@ def perform(
     given = match_arguments(arguments, signature.parameters)
     # Most instructions have many options, and most calls few arguments.
     there = [one for one in signature.parameters if one.name.lower() in given]
-    plain = [one for one in there if _TRIGGER not in one.types]
+    searches = Trait.SEARCH in routine.traits
+    plain = [one for one in there if not _is_path_event(one, searches=searches)]
     values = argument_values(plain, given, evaluator)
     if isinstance(values, NotStatic):
         return values.reason
@@ -69,7 +75,7 @@ def perform(
     for parameter in there:
         key = parameter.name.lower()
         # In its own box: some instructions write to it.
-        value = values[key] if key in values else Box(_ANY_TRIGGER)
+        value = values[key] if key in values else _path_event_value(parameter)
         if key in values and by_reference(parameter.mode):
             if any(isinstance(resolved(of), ArrayOf) for of in parameter.types):
                 return "an array is given by reference"
@@ -86,6 +92,17 @@ def perform(
             return "its type is not known"
         options[keyword] = evaluator.tables.type_of.get(typed.value)
     return _execute(routine, required, options, references)
+
+
+def _is_path_event(parameter: Parameter, *, searches: bool) -> bool:
+    """Whether a parameter affects what happens along the path of a move, not where it leads."""
+    result = searches and parameter.mode is ParameterMode.INOUT
+    return result or bool(_EVENT_TYPES & set(parameter.types))
+
+
+def _path_event_value(parameter: Parameter) -> object:
+    value = _ANY_TRIGGER if _TRIGGER in parameter.types else _ANY_SIGNAL
+    return Box(value) if _TRIGGER in parameter.types or by_reference(parameter.mode) else value
 
 
 def _execute(
