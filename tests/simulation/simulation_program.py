@@ -42,15 +42,15 @@ class Ran:
 
 
 @cache
-def arm() -> Robot:
-    return load_robot("irb1600")
+def arm(name: str = "irb1600") -> Robot:
+    return load_robot(name)
 
 
-def ran(text: str, *, assumes: bool = False, **options: object) -> Ran:
+def ran(text: str, *, assumes: bool = False, robot: str = "irb1600", **options: object) -> Ran:
     """Run a program without errors, on request with what it lacks assumed."""
     loaded = load([SourceFile("cell.mod", text, "utf-8")], cell=CellNames(assumes=assumes))
     assert loaded.program is not None, [d.violation.message for d in loaded.diagnostics]
-    return Ran(simulate(loaded.program, arm(), options=RunOptions(**options)))  # type: ignore[arg-type]
+    return Ran(simulate(loaded.program, arm(robot), options=RunOptions(**options)))  # type: ignore[arg-type]
 
 
 def calls(found: Diagnostic) -> list[tuple[str, int]]:

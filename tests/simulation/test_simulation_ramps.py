@@ -118,3 +118,14 @@ ENDPROC
     assert [one.treated_as for one in run.run.unsimulated] == [
         "the lowest ramp since the last stop point counts for all"
     ]
+
+
+def test_places_at_rest_that_differ_by_their_rounding_are_no_motion() -> None:
+    """The last cell of the average has no duration, and its ends were not bit for bit equal."""
+    oriented = "[0.0251475,-0.403085,-0.91479,0.00704516],[-1,0,0,0]"
+    ends = [f"[[317.18,-19.96,{z}],{oriented},{JOINTS}]" for z in (470.65, 370.65)]
+    lines = [f"MoveL {end},v1000,fine,tool0;" for end in ends]
+    run = ran(program("AccSet 30,30;", *lines), robot="irb120")
+    assert run.end == "ended"
+    end = run.run.only.sample(run.run.time_s)
+    assert end.base_from_tcp.translation[0] == pytest.approx([0.31718, -0.01996, 0.37065], abs=1e-8)

@@ -172,7 +172,11 @@ class RampedCommand:
             return
         steps = np.diff(times)
         mean = 0.5 * (speeds[1:] + speeds[:-1])
-        scale = float(ways[-1] - ways[0]) / float(mean @ steps)
+        length = float(mean @ steps)
+        if length == 0.0:
+            # At rest places differ by their rounding.
+            return
+        scale = float(ways[-1] - ways[0]) / length
         s = planned.from_s + ways[0] + np.concatenate([[0.0], np.cumsum(scale * mean * steps)])
         s[-1] = planned.from_s + ways[-1]
         timing = TimeScaling(
