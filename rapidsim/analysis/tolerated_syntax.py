@@ -42,6 +42,20 @@ _MARKS: Mapping[type[tree.Node], str | None] = {
 """The fields that mark nodes, by class; None if each node is examined."""
 
 
+def _check_equals_sign(node: tree.Assignment | tree.Data, context: Context) -> None:
+    match node:
+        case tree.Assignment(operator_start=sign, target=target):
+            written, place = _text(context, target), tree.Node(sign, sign + 1)
+        case tree.Data(value=tree.Node() as value) if node.name.text:
+            sign = context.module.source.text.rfind("=", node.name.end, value.start)
+            written, place = node.name.text, node
+        case _:
+            # Without a name the declaration has been reported.
+            return
+    fix = _replacement(context, sign, sign + 1, ":=")
+    context.report(EqualsForAssignment(written), place, fix=fix)
+
+
 def check_lenient_marks(nodes: NodesByKind, context: Context) -> None:
     """Report every lenient mark and placeholder among nodes of a module, listed by class."""
     text = context.module.source.text
@@ -53,14 +67,8 @@ def check_lenient_marks(nodes: NodesByKind, context: Context) -> None:
     ]
     for node in sorted(marked, key=lambda node: (node.start, -node.end)):
         match node:
-            case tree.Assignment(equals_sign=True):
-                written = tree.Node(node.operator_start, node.operator_start + 1)
-                fix = _replacement(context, written.start, written.end, ":=")
-                context.report(EqualsForAssignment(_text(context, node.target)), written, fix=fix)
-            case tree.Data(equals_sign=True, value=tree.Node() as value):
-                sign = text.rfind("=", node.name.end, value.start)
-                fix = _replacement(context, sign, sign + 1, ":=")
-                context.report(EqualsForAssignment(node.name.text), node, fix=fix)
+            case tree.Assignment(equals_sign=True) | tree.Data(equals_sign=True):
+                _check_equals_sign(node, context)
             case tree.Call(in_parentheses=True):
                 fix = _without_parentheses(context, node)
                 context.report(CallInParentheses(node.name.text), node, fix=fix)

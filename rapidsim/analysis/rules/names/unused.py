@@ -57,7 +57,7 @@ def _names_in(module: tree.Module, facts: Facts) -> set[str]:
 def _seemingly_unused(part: ProgramPart, facts: Facts) -> list[tuple[str, tree.Data]]:
     """Data that the part itself does not use, by folded name."""
     del facts
-    declared = ((node.name.key, node) for node in part.all(tree.Data))
+    declared = ((node.name.key, node) for node in part.all(tree.Data) if node.name.key)
     return [(key, node) for key, node in declared if key not in part.names]
 
 
