@@ -21,7 +21,6 @@ RESERVATIONS = {
     "motion/search_of_a_groove": "1 routine not simulated",
     "motion/search_with_the_torch": "1 routine not simulated",
     "motion/spot_welding": "4 routines not simulated",
-    "recovery/search_already_there": "1 of 2 moves not checked",
     "system/data_of_options": "1 routine not simulated",
     "system/facts_of_the_system": "1 routine not simulated",
     "system/pointer_not_moved": "1 routine not simulated",

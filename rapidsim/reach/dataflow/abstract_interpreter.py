@@ -94,9 +94,7 @@ class AbstractInterpreter:
             self._from_start = True
             self._walk_alone(main, State(last=BEGINNING))
             self._from_start = False
-        uncalled = [
-            routine for routine in self.effects.routines if routine not in self.effects.called
-        ]
+        uncalled = [each for each in self.effects.routines if each not in self.effects.called]
         for routine in (*uncalled, *self.effects.routines):
             if routine not in self._entered and self.effects.of_routine(routine).moves:
                 settings = _START.forgetting(self.effects.everything.settings)
@@ -475,7 +473,9 @@ class AbstractInterpreter:
             self.state.settings = KnownSettings(recorder.settings, uncertain)
         else:
             asked = f"`{{name}}` comes from `{routine.name}`"
+            before = self.state.last
             self._forget_effects(self.effects.of_bodies((call,)), asked)
+            self.state.last = before if recorder.moves else self.state.last
         if Trait.LEAVE_PATH in routine.traits:
             self.state.last = None
         if not moving:
