@@ -108,6 +108,13 @@ class Trajectory:
             self._guided[-1] = replace(self._guided[-1], until_s=section.start_s)
         self._guided.append(_Guided(section))
 
+    def withdraw(self, section: GuidedSection) -> None:
+        """Discard the last guidance, which has not begun: the robot rests where it was before."""
+        last = self._guided.pop()
+        assert last.section is section
+        if self._guided:
+            self._guided[-1] = replace(self._guided[-1], until_s=np.inf)
+
     def correct(self, section: CorrectedSection) -> None:
         """Add an offset to the arm's path from now on."""
         self._corrected.append(section)
