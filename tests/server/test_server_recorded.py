@@ -212,6 +212,29 @@ BODIES: dict[str, dict[str, Any]] = {
             ]
         },
     },
+    # A pointer that is nowhere, as of RobotWare 8.2.1.
+    "rw/rapid/tasks/T_ROB1/pcp": {
+        "_links": _links("rw/rapid/", "tasks/T_ROB1/pcp"),
+        "status": DONE,
+        "state": [
+            {
+                "_type": "pcp-info",
+                "_title": "motionpointer",
+                "motionpointer": {"_links": {"error": {"href": "ROOTrw/retcode?code=-1073414145"}}},
+            },
+            {
+                "_type": "pcp-info",
+                "_title": "progpointer",
+                "progpointer": dict.fromkeys(
+                    (
+                        *("modulemame", "routinename", "beginposition", "endposition"),
+                        "executiontype",
+                    ),
+                    TEXT,
+                ),
+            },
+        ],
+    },
     "fileservice": _listed("fileservice", "fs-dir", "HOME", "TEMP", "RAMDISK", "BACKUP"),
     "rw/cfg/EIO/EIO_SIGNAL/instances/ES1": {
         "_links": _links("rw/cfg/", "EIO/EIO_SIGNAL/instances/ES1"),
@@ -231,7 +254,7 @@ BODIES: dict[str, dict[str, Any]] = {
         },
     },
 }
-"""Bodies of RobotWare 7."""
+"""Bodies of RobotWare 7, but for one."""
 PAGES = {
     # Addresses in the list of services are relative to the root.
     "rw": ("", "rw/panel"),
@@ -346,7 +369,8 @@ async def _bodies(served: Served, client: aiohttp.ClientSession) -> None:
             # Links to what else is there follow.
             del body["_embedded"]["resources"][1:]
         if path.startswith("rw/elog"):
-            del body["_embedded"]["resources"][:-1]
+            # The oldest entry comes first.
+            del body["_embedded"]["resources"][1:]
         assert body == expected, path
         assert list(body) == list(expected), path
 
@@ -369,11 +393,30 @@ async def _pages(served: Served) -> None:
         ("rw/rapid/tasks/T_ROB1/motion?resource=jointtarget", "ms-jointtarget", {"rax_1"}),
         ("rw/rapid/tasks/T_ROB1/motion?resource=robtarget", "ms-robtargets", {"q1"}),
         ("rw/motionsystem/mechunits/ROB_1/cartesian", "ms-mechunit-cartesian", {"q1", "j1", "jx"}),
+        ("rw/elog/0/1", "elog-message", {"code", "title"}),
+        ("rw/rapid/tasks/spy", "rap-spy-status", {"status"}),
+        ("rw/rapid/modules/BASE?task=T_ROB1", "rap-module", {"modname", "filename", "attribute"}),
+        ("ctrl/backup?action=backupstate", "ctrl-backup-state", {"backup state"}),
         ("ctrl/identity", "ctrl-identity-info", {"ctrl-name", "ctrl-type", "ctrl-level"}),
     ):
         (item,) = await served.get(path)
         assert item["_type"] == kind
         assert item.keys() >= names
+    (base,) = await served.get("rw/rapid/modules/base?task=T_ROB1")
+    assert (base["taskname"], base["modname"], base["filename"], base["attribute"]) == (
+        *("T_ROB1", "BASE", "BASE.sys", "sysmod"),
+    )
+    axes = await served.get("rw/motionsystem/mechunits/ROB_1/axes")
+    assert (axes[0]["_type"], axes[0]["axes"], len(axes)) == ("ms-mechunit-axes", "6", 7)
+    axis = await served.get("rw/motionsystem/mechunits/ROB_1/axes/6")
+    assert [(one["_type"], *list(one.items())[2:]) for one in axis] == [
+        ("ms-mechunit-axisstatus", ("axis-status", "Synchronized")),
+        ("ms-mechunit-logicalaxis", ("logical-axis", "6")),
+    ]
+    assert await served.status("rw/motionsystem/mechunits/ROB_1/axes/7") == (404, -1073414146)
+    # Counts of entries only where they are asked for.
+    assert "numevts" not in (await served.get("rw/elog"))[0]
+    assert (await served.get("rw/elog?resource=count"))[0]["numevts"] != "0"
     names = {one["name"] for one in await served.get("rw/retcode")}
     assert {"SYS_CTRL_E_EXEC_STATE", "SYS_CTRL_E_INVALIDARG", "SYS_CTRL_E_RESOURCE_HELD"} <= names
     for path, kind in (("", "srvlst-service-li"), ("rw", "rwservice-li")):

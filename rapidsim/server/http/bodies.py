@@ -17,6 +17,8 @@ _DONE: Final = 294912
 """Code of success in RobotWare 7."""
 _PARTS: Final = {"sys-options-li": "options", "dev-id": "devices"}
 """The name under which JSON has the parts of an item of a class; `attrib` for all others."""
+_NESTED: Final = frozenset({"pcp-info"})
+"""Classes of items whose fields HAL JSON has in an object of their own, named as the item."""
 _XHTML_KINDS: Final = {"sys-options": "sys-option"}
 """Classes that RobotWare 7 names otherwise in XHTML than in JSON."""
 _BEGIN: Final = (
@@ -85,7 +87,7 @@ def hal_body(answer: Answer, location: RequestLocation) -> str:
     if answer.resources is None:
         shown["status"] = {"code": _DONE}
     if answer.items or answer.resources is None:
-        shown["state"] = [_json_item(one, base) for one in answer.items]
+        shown["state"] = [_hal_item(one, base, location.root) for one in answer.items]
     resources = [_json_item(one, base) for one in answer.resources or ()]
     resources += [{**_itself(one), "_title": one} for one in answer.links]
     if resources or answer.resources is not None:
@@ -186,6 +188,19 @@ def _json_item(item: Item, base: str) -> dict[str, object]:
     return shown
 
 
+def _hal_item(item: Item, base: str, root: str) -> dict[str, object]:
+    if item.kind not in _NESTED:
+        return _json_item(item, base)
+    inside: dict[str, object] = {**item.fields}
+    if item.error:
+        inside["_links"] = _json_links({"error": f"{root}{_reason(item)}"})
+    return {"_type": item.kind, "_title": item.title, item.title: inside}
+
+
+def _reason(item: Item) -> str:
+    return f"rw/retcode?code={item.error}"
+
+
 def _xhtml_item(item: Item, base: str) -> str:
     spans = [
         f'<span class="{_quoted(name)}">{escape(_plain(text), quote=False)}</span>'
@@ -199,6 +214,8 @@ def _xhtml_item(item: Item, base: str) -> str:
     inside = f"<ul>{parts}</ul>" if parts else ""
     href = _relative(item.href, base)
     itself = f'<a href="{_quoted(href)}" rel="self"/>' if href else ""
+    if item.error:
+        itself += f'<a href="/{_reason(item)}" rel="error"/>'
     kind = _XHTML_KINDS.get(item.kind, item.kind)
     return (
         f'<li class="{_quoted(kind)}" title="{_quoted(item.title)}">'
