@@ -402,10 +402,10 @@ async def _pages(served: Served) -> None:
         (item,) = await served.get(path)
         assert item["_type"] == kind
         assert item.keys() >= names
-    (base,) = await served.get("rw/rapid/modules/base?task=T_ROB1")
-    assert (base["taskname"], base["modname"], base["filename"], base["attribute"]) == (
-        *("T_ROB1", "BASE", "BASE.sys", "sysmod"),
-    )
+    (system_module,) = await served.get("rw/rapid/modules/base?task=T_ROB1")
+    assert tuple(
+        system_module[one] for one in ("taskname", "modname", "filename", "attribute")
+    ) == (*("T_ROB1", "BASE", "BASE.sys", "sysmod"),)
     axes = await served.get("rw/motionsystem/mechunits/ROB_1/axes")
     assert (axes[0]["_type"], axes[0]["axes"], len(axes)) == ("ms-mechunit-axes", "6", 7)
     axis = await served.get("rw/motionsystem/mechunits/ROB_1/axes/6")
