@@ -381,6 +381,25 @@ async def _pages(served: Served) -> None:
             text = await answer.text()
         assert f'<base href="{served.base}/{base}"/>' in text, path
         assert f'<a href="{href}" rel="self"/>' in text, path
+    async with served.client.get(f"{served.base}/rw/iosystem/signals?json=1") as answer:
+        body = await answer.json()
+    # Numbers are no texts in lists of JSON, and addresses lead to JSON.
+    body["_embedded"]["_state"] = body["_embedded"]["_state"][1:2]
+    title = "Net/Dev/ES1"
+    assert body == {
+        "_links": {"base": {"href": f"{served.base}/rw/iosystem/"}},
+        "_embedded": {
+            "_state": [
+                {
+                    "_links": {"self": {"href": f"signals/{title}?json=1"}},
+                    "_type": "ios-signal-li",
+                    "_title": title,
+                    **{"name": "ES1", "type": "DO", "category": ""},
+                    **{"lvalue": 0, "lstate": "not simulated"},
+                }
+            ]
+        },
+    }
     (system, options) = await served.get("rw/system")
     assert (system["_type"], options["_type"]) == ("sys-system-li", "sys-options-li")
     assert options["options"][0]["_type"] == "sys-option-li"
