@@ -453,6 +453,18 @@ async def _pages(served: Served) -> None:
     (units,) = await served.get("rw/devices/HW_DEVICES")
     assert {one["_type"] for one in units["devices"]} == {"dev-id-li"}
     assert [one["_title"] for one in units["devices"]] == ["CONTROLLER", "ROB_1"]
+    assert [one["name"] for one in await served.get("rw/iosystem/networks")] == ["Local", "Net"]
+    states = []
+    for fails in (True, False):
+        await (served.fail(kind="device_lost", device="Dev") if fails else served.mend())
+        states.append((await served.get("rw/iosystem/devices?network=net"))[0])
+    served.engine.live.cell.disabled_devices.add("dev")
+    states.append((await served.get("rw/iosystem/devices"))[0])
+    assert [(one["name"], one["lstate"], one["pstate"]) for one in states] == [
+        ("Dev", "enabled", "error"),
+        ("Dev", "enabled", "running"),
+        ("Dev", "disabled", "stopped"),
+    ]
     disks = {one["_title"]: one for one in await served.get("fileservice")}
     assert disks["$RAMDISK"]["fs-device-type"] == "ramdisk"
     url = f"{served.base}/rw/iosystem/signals?action=signal-search"

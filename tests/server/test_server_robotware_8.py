@@ -70,6 +70,7 @@ def test_write_access_is_requested_written_with_and_outlives_its_session(tmp_pat
         assert post(f"{ACCESS}/release", 3) == (204, 0)
         assert post(f"{ACCESS}/request", 2) == (204, 0)
         assert shown("id", 2) == {"control-station-Id": OTHER}
+        assert shown("type", 2) == {"control-station-type": "Remote"}
         # A station may register so that the access goes with its session.
         assert register(OTHER, 2, **{"release-write-access-when-lost": "true"}) == (204, 0)
         assert post(f"{ACCESS}/request", 2) == (204, 0)
