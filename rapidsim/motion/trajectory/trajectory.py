@@ -108,12 +108,10 @@ class Trajectory:
             self._guided[-1] = replace(self._guided[-1], until_s=section.start_s)
         self._guided.append(_Guided(section))
 
-    def withdraw(self, section: GuidedSection) -> None:
+    def withdraw_guidance(self) -> None:
         """Discard the last guidance, which has not begun: the robot rests where it was before."""
-        last = self._guided.pop()
-        assert last.section is section
-        if self._guided:
-            self._guided[-1] = replace(self._guided[-1], until_s=np.inf)
+        *before, _ = self._guided
+        self._guided = [*before[:-1], *(replace(one, until_s=np.inf) for one in before[-1:])]
 
     def correct(self, section: CorrectedSection) -> None:
         """Add an offset to the arm's path from now on."""

@@ -44,7 +44,7 @@ class JogMotion:
         Steps that follow this one must have been halted before.
         """
         if now_s <= self.section.start_s:
-            self.unit.member.trajectory.withdraw(self.section)
+            self.unit.member.trajectory.withdraw_guidance()
             self.section.end_after(0)
             self._end()
             return
