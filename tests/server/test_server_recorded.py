@@ -15,6 +15,8 @@ from typing import Any, NamedTuple
 import aiohttp
 from served_controller import Served, serve
 
+from rapidsim.server.versions import served_versions
+
 CELL = {
     "RAPID/TASK1/PROGMOD/MainModule.mod": "MODULE MainModule\n  PERS num k := 0;\n  PROC main()\n"
     "    WaitTime 9;\n  ENDPROC\nENDMODULE\n",
@@ -114,6 +116,7 @@ def _listed(path: str, kind: str, *titles: str) -> dict[str, Any]:
     return {"_links": _links(f"{path}/"), "_embedded": {"resources": items}}
 
 
+NOWHERE = "ROOTrw/retcode?code=-1073414145"
 BODIES: dict[str, dict[str, Any]] = {
     "rw/panel/ctrl-state": {
         "_links": _links("rw/panel/ctrl-state/"),
@@ -212,29 +215,6 @@ BODIES: dict[str, dict[str, Any]] = {
             ]
         },
     },
-    # A pointer that is nowhere, as of RobotWare 8.2.1.
-    "rw/rapid/tasks/T_ROB1/pcp": {
-        "_links": _links("rw/rapid/", "tasks/T_ROB1/pcp"),
-        "status": DONE,
-        "state": [
-            {
-                "_type": "pcp-info",
-                "_title": "motionpointer",
-                "motionpointer": {"_links": {"error": {"href": "ROOTrw/retcode?code=-1073414145"}}},
-            },
-            {
-                "_type": "pcp-info",
-                "_title": "progpointer",
-                "progpointer": dict.fromkeys(
-                    (
-                        *("modulemame", "routinename", "beginposition", "endposition"),
-                        "executiontype",
-                    ),
-                    TEXT,
-                ),
-            },
-        ],
-    },
     "fileservice": _listed("fileservice", "fs-dir", "HOME", "TEMP", "RAMDISK", "BACKUP"),
     "rw/cfg/EIO/EIO_SIGNAL/instances/ES1": {
         "_links": _links("rw/cfg/", "EIO/EIO_SIGNAL/instances/ES1"),
@@ -254,7 +234,16 @@ BODIES: dict[str, dict[str, Any]] = {
         },
     },
 }
-"""Bodies of RobotWare 7, but for one."""
+"""Bodies of RobotWare 7."""
+POINTERS = {
+    "_links": _links("rw/rapid/", "tasks/T_ROB1/pcp"),
+    "status": DONE,
+    "state": [
+        {"_type": "pcp-info", "_title": one, one: {"_links": {"error": {"href": NOWHERE}}}}
+        for one in ("progpointer", "motionpointer")
+    ],
+}
+"""Pointers of RobotWare 8.2.1 that are nowhere."""
 PAGES = {
     # Addresses in the list of services are relative to the root.
     "rw": ("", "rw/panel"),
@@ -337,6 +326,7 @@ def test_recorded_answers(tmp_path: Path) -> None:
                 status = (await answer.json(content_type=None))["status"]
                 shown = answer.status, answer.headers["Content-Type"], status["code"]
                 assert shown == (404, "text/html", -1073438713)
+            await _pointers(served, second)
         await _pages(served)
         await other.post("rw/rapid/execution?action=start", cycle="forever")
         for row in FIRST:
@@ -373,6 +363,27 @@ async def _bodies(served: Served, client: aiohttp.ClientSession) -> None:
             del body["_embedded"]["resources"][1:]
         assert body == expected, path
         assert list(body) == list(expected), path
+
+
+async def _pointers(served: Served, client: aiohttp.ClientSession) -> None:
+    """Read the pointers as RobotWare 8 has them, and as 7 had them."""
+    url = f"{served.second}/rw/rapid/tasks/T_ROB1/pcp"
+    task = served.engine.live.task("T_ROB1")
+    versions = served.engine.context.versions
+    shown = []
+    for version, has_pointer in ((8, False), (8, True), (7, True), (7, False)):
+        served.engine.context.versions = served_versions(None, version)
+        task.has_pointer = has_pointer
+        async with client.get(url, headers={"Accept": HAL}) as answer:
+            shown.append(_shape(await answer.json(content_type=None), f"{served.second}/"))
+    task.has_pointer, served.engine.context.versions = True, versions
+    names = ("modulemame", "routinename", "beginposition", "endposition", "executiontype")
+    fields = dict.fromkeys(names, TEXT)
+    nested, flat = shown[1]["state"][0], shown[2]["state"]
+    assert shown[0] == POINTERS
+    assert nested == {"_type": "pcp-info", "_title": "progpointer", "progpointer": fields}
+    assert flat == [{"_type": "pcp-info", "_title": "progpointer", **fields}]
+    assert shown[3]["state"] == []
 
 
 async def _pages(served: Served) -> None:

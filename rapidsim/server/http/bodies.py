@@ -17,8 +17,6 @@ _DONE: Final = 294912
 """Code of success in RobotWare 7."""
 _PARTS: Final = {"sys-options-li": "options", "dev-id": "devices"}
 """The name under which JSON has the parts of an item of a class; `attrib` for all others."""
-_NESTED: Final = frozenset({"pcp-info"})
-"""Classes of items whose fields HAL JSON has in an object of their own, named as the item."""
 _NUMBERS: Final = {"ios-signal-li": ("lvalue",)}
 """Fields of listed items that JSON of RobotWare 6 has as numbers, by class."""
 _XHTML_KINDS: Final = {"sys-options": "sys-option"}
@@ -208,7 +206,7 @@ def _json_item(item: Item, base: str, address: Callable[[str], str] = str) -> di
 
 
 def _hal_item(item: Item, base: str, root: str) -> dict[str, object]:
-    if item.kind not in _NESTED:
+    if not item.is_nested:
         return _json_item(item, base)
     inside: dict[str, object] = {**item.fields}
     if item.error:

@@ -127,39 +127,36 @@ def deactivate(context: RequestContext, request: Request, task: str | None = Non
 def pointers(context: RequestContext, request: Request, task: str) -> Answer:
     """The positions of the program pointer and of the motion pointer of a task.
 
-    A pointer that is nowhere is absent in RobotWare 6, and an error in RobotWare 7.
+    A pointer that is nowhere is an error in RobotWare 8, and absent before.
     """
     found = context.live.task(task)
-    is_first = request.generation == 1
-    # The program pointer's module and the motion pointer's beginning are so spelt by controllers.
-    names = {
-        "progpointer": ("modulemame", "beginposition"),
-        "motionpointer": ("modulename", "begposition" if is_first else "beginposition"),
-    }
-    places = {
-        "progpointer": found.place if found.has_pointer else None,
-        "motionpointer": position_snapshot(found).move if found.setup.robot else None,
-    }
-    items = [
-        _pointer_item(found, title, place, *names[title])
-        for title, place in places.items()
-        if place is not None or not is_first
-    ]
-    return Answer(tuple(items), base=None if is_first else "rw/rapid")
+    is_later = request.generation == 2 and context.has_control_stations
+    begin = "begposition" if request.generation == 1 else "beginposition"
+    motion = position_snapshot(found).move if found.setup.robot else None
+    # These names of fields are spelt so by controllers.
+    places = (
+        ("progpointer", found.place if found.has_pointer else None, "modulemame", "beginposition"),
+        ("motionpointer", motion, "modulename", begin),
+    )
+    items = []
+    for title, place, *names in places:
+        if place is not None:
+            fields = _pointer(found, place, *names)
+            items.append(Item("pcp-info", title, fields, is_nested=is_later))
+        elif is_later:
+            items.append(Item("pcp-info", title, is_nested=True, error=NO_POINTER))
+    return Answer(tuple(items), base="rw/rapid" if is_later else None)
 
 
-def _pointer_item(task: LiveTask, title: str, place: Place | None, module: str, begin: str) -> Item:
-    if place is None:
-        return Item("pcp-info", title, error=NO_POINTER)
+def _pointer(task: LiveTask, place: Place, module: str, begin: str) -> dict[str, str]:
     span = place.span
-    fields = {
+    return {
         module: _module_at(task, place),
         "routinename": place.routine,
         begin: f"{span.line},{span.column}",
         "endposition": f"{span.end_line},{span.end_column}",
         "executiontype": "normal",
     }
-    return Item("pcp-info", title, fields)
 
 
 def program(context: RequestContext, request: Request, task: str) -> Answer:
