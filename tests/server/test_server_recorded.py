@@ -20,7 +20,7 @@ from rapidsim.server.versions import served_versions
 CELL = {
     "RAPID/TASK1/PROGMOD/MainModule.mod": "MODULE MainModule\n  PERS num k := 0;\n  PROC main()\n"
     "    WaitTime 9;\n  ENDPROC\nENDMODULE\n",
-    "RAPID/TASK1/SYSMOD/BASE.sys": "MODULE BASE(SYSMODULE)\nENDMODULE\n",
+    "RAPID/TASK1/SYSMOD/BASE.sys": "MODULE BASE(SYSMODULE,NOSTEPIN)\nENDMODULE\n",
     "SYSPAR/EIO.cfg": """EIO:CFG_1.0:6:1::
 #
 INDUSTRIAL_NETWORK:
@@ -435,7 +435,7 @@ async def _pages(served: Served) -> None:
     (system_module,) = await served.get("rw/rapid/modules/base?task=T_ROB1")
     assert tuple(
         system_module[one] for one in ("taskname", "modname", "filename", "attribute")
-    ) == (*("T_ROB1", "BASE", "BASE.sys", "sysmod"),)
+    ) == (*("T_ROB1", "BASE", "BASE.sys", "sysmod,nostepin"),)
     axes = await served.get("rw/motionsystem/mechunits/ROB_1/axes")
     assert (axes[0]["_type"], axes[0]["axes"], len(axes)) == ("ms-mechunit-axes", "6", 7)
     axis = await served.get("rw/motionsystem/mechunits/ROB_1/axes/6")

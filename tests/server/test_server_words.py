@@ -219,7 +219,18 @@ def test_what_clients_leave_out_or_write_otherwise_is_found(
     search = "/rw/rapid/symbols", "action=search-symbols"
     assert names(ask("POST", *search, blockurl="RAPID/T_ROB1/Tried", regexp="^[kn]$")) == ["n", "k"]
     assert names(ask("POST", *search, blockurl="RAPID/T_ROB1", symtyp="con")) == ["c"]
+    assert names(ask("POST", *search, blockurl="RAPID/T_ROB1/Other")) == []
     assert names(ask("GET", "/rw/iosystem/signals", "start=1&limit=1")) == ["aoFlow"]
+    stopped(engine.reply)
+    for action, task, shown in (
+        ("deactivate", "T_ROB1", "Off"),
+        ("activate", "T_ROB1", "On"),
+        ("deactivate", "T_NONE", "On"),
+    ):
+        status = ask("POST", "/rw/rapid/tasks", f"action={action}", task=task).status
+        assert status == (404 if task == "T_NONE" else 204)
+        tasks = ask("GET", "/rw/rapid/tasks").resources or ()  # type: ignore[union-attr]
+        assert [one.fields["active"] for one in tasks if one.kind == "rap-task-li"] == [shown]
     # The default right in manual mode; a queue of clients is subscribed to by its address.
     assert ask("POST", "/users/rmmp").status == 202
     (right,) = ask("GET", "/users/rmmp").items  # type: ignore[union-attr]
