@@ -1,10 +1,11 @@
 """Change single nodes of the code, and say which changes no test notices.
 
     python benchmarks/mutate.py collisions --count 40 --seed 1
-    python benchmarks/mutate.py server --files 'rapidsim/server/resources/*.py'
+    python benchmarks/mutate.py server --files 'rapidsim/server/resources/*.py' --texts
 
 Comparisons, arithmetic, conditions, whole numbers and calls are changed one at a time, in a copy of
-the repository; tolerances, and on which side equality lies, decide little. A first run of the
+the repository, or with `--texts` texts, such as fields of answers; tolerances, and on which side
+equality lies, decide little. A first run of the
 room's tests says which of them execute which line; a changed line is judged by these. What survives
 is printed; some of it is equivalent, which is for a person to say.
 """
@@ -91,8 +92,8 @@ class Mutant:
     """The whole file."""
 
 
-def mutants(file: str, text: str) -> Iterator[Mutant]:
-    """Yield all changes of a file."""
+def mutants(file: str, text: str, *, texts: bool = False) -> Iterator[Mutant]:
+    """Yield all changes of a file; with `texts`, those of its texts."""
     lines = [line.encode() for line in text.splitlines(keepends=True)]
     starts = [0]
     for line in lines:
@@ -103,7 +104,7 @@ def mutants(file: str, text: str) -> Iterator[Mutant]:
             continue
         begin = starts[node.lineno - 1] + node.col_offset
         end = starts[node.end_lineno - 1] + node.end_col_offset
-        for changed in _changes(node):
+        for changed in _texts(node) if texts else _changes(node):
             after = ast.unparse(changed)
             after = f"({after})" if isinstance(changed, ast.expr) else after
             new = (data[:begin] + after.encode() + data[end:]).decode()
@@ -115,7 +116,7 @@ def _nodes(tree: ast.AST) -> Iterator[ast.expr | ast.stmt]:
     for child in ast.iter_child_nodes(tree):
         if isinstance(child, ast.AnnAssign) and child.value is not None:
             yield from _nodes(ast.Expression(child.value))
-        if isinstance(child, _SKIPPED) or _is_for_types(child):
+        if isinstance(child, _SKIPPED) or _is_for_types(child) or _is_docstring(child):
             continue
         if isinstance(child, ast.FunctionDef):
             for statement in child.body:
@@ -128,6 +129,18 @@ def _nodes(tree: ast.AST) -> Iterator[ast.expr | ast.stmt]:
 
 def _is_for_types(node: ast.AST) -> bool:
     return isinstance(node, ast.If) and ast.unparse(node.test) == "TYPE_CHECKING"
+
+
+def _is_docstring(node: ast.AST) -> bool:
+    return isinstance(node, ast.Expr) and isinstance(node.value, ast.Constant)
+
+
+def _texts(node: ast.expr | ast.stmt) -> Iterator[ast.expr]:
+    match node:
+        case ast.Constant(value=str(value)) if value:
+            yield ast.Constant(f"{value}Q")
+        case _:
+            return
 
 
 def _changes(node: ast.expr | ast.stmt) -> Iterator[ast.expr | ast.stmt]:
@@ -231,9 +244,13 @@ class Copy:
         return done.returncode
 
 
-def campaign(room: str, files: Sequence[str], count: int, seed: int) -> None:
+def campaign(room: str, files: Sequence[str], count: int, seed: int, *, texts: bool) -> None:
     """Try some changes of a room, and print what survives."""
-    found = [one for file in files for one in mutants(file, (ROOT / file).read_text("utf-8"))]
+    found = [
+        one
+        for file in files
+        for one in mutants(file, (ROOT / file).read_text("utf-8"), texts=texts)
+    ]
     chosen = random.Random(seed).sample(found, min(count, len(found)))
     with tempfile.TemporaryDirectory() as name:
         repository = Copy(Path(name), room)
@@ -260,12 +277,13 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("room", choices=ROOMS)
     parser.add_argument("--files", nargs="*", help="patterns; by default all of the room")
+    parser.add_argument("--texts", action="store_true", help="change texts")
     parser.add_argument("--count", type=int, default=40)
     parser.add_argument("--seed", type=int, default=1)
     request = parser.parse_args()
     patterns = request.files or [f"rapidsim/{request.room}/**/*.py"]
     files = sorted({p.relative_to(ROOT).as_posix() for one in patterns for p in ROOT.glob(one)})
-    campaign(request.room, files, request.count, request.seed)
+    campaign(request.room, files, request.count, request.seed, texts=request.texts)
 
 
 if __name__ == "__main__":

@@ -37,6 +37,10 @@ class Item:
     """Address of the item, below the root."""
     parts: tuple[Item, ...] = ()
     """Parts of the item, such as attributes."""
+    is_nested: bool = False
+    """Whether HAL JSON has the fields in an object of their own, named as the item."""
+    error: int = 0
+    """Code of the reason why the item has no fields; 0 for none."""
 
 
 @value_class(frozen=True, slots=True)

@@ -21,7 +21,7 @@ class ServedVersion:
     text: str
     """Value of `rwversion`."""
     name: str
-    """Value of `rwversionname`, which only RobotWare 6 has."""
+    """Value of `rwversionname`, which RobotWare 7 omits."""
 
 
 _RECORDED: Final = MappingProxyType(

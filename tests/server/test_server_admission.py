@@ -161,6 +161,7 @@ def test_an_idle_session_ends() -> None:
         ({}, False),
         ({"Host": "127.0.0.1:8080", "Origin": "http://127.0.0.1:8080"}, True),
         ({"Host": "127.0.0.1:8080", "Origin": "http://evil.example"}, False),
+        ({"Host": "127.0.0.1:8080", "Origin": "ws://127.0.0.1:8080"}, True),
         ({"Host": "127.0.0.1:8080", "Origin": "http://127.0.0.1:3000"}, False),
         ({"Host": "127.0.0.1:8080", "Origin": "null"}, False),
     ],
@@ -250,6 +251,41 @@ def test_files_come_and_go_and_nobody_leaves_the_home_folder(tmp_path: Path) -> 
         assert (await ask("DELETE", "$HOME/logs/a.txt"))[0] == 204
         assert (await ask("DELETE", "$HOME/logs/a.txt"))[0] == 404
         assert (tmp_path / "secret.txt").read_text() == "secret"
+
+    serve(tmp_path, IDLE, use)
+
+
+def test_files_and_folders_are_copied_and_renamed(tmp_path: Path) -> None:
+    async def use(served: Served) -> None:
+        async def change(address: str, action: str, name: str) -> int:
+            url = f"{served.base}/fileservice/{address}"
+            form = {"fs-action": action, "fs-newname": name}
+            async with served.client.post(url, data=form) as response:
+                return response.status
+
+        # Statuses are those of ABB's reference.
+        assert await change("$HOME", "create", "one/two") == 201
+        home = tmp_path / "home"
+        (home / "one" / "two" / "a.txt").write_text("a")
+        assert await change("$HOME/one", "copy", "three") == 204
+        assert await change("$HOME/one", "copy", "/fileservice/$TEMP/four") == 204
+        assert await change("$HOME/three", "rename", "five") == 200
+        assert await change("$HOME/five/two/a.txt", "copy", "b.txt") == 204
+        assert await change("$HOME/five/two/a.txt", "rename", "c.txt") == 204
+        found = {one.name for one in (home / "five" / "two").iterdir()}
+        assert (found, (home / "TEMP" / "four" / "two" / "a.txt").read_text()) == (
+            {"b.txt", "c.txt"},
+            "a",
+        )
+        for action, name in (
+            *(("copy", one) for one in ("five", "", "a/b", "/fileservice/$HOME/../x")),
+            *(("rename", one) for one in ("five", "/fileservice/$HOME/six", "..")),
+            *(("create", one) for one in ("two", "/", "../x", "/six")),
+        ):
+            assert await change("$HOME/one", action, name) in (400, 404), (action, name)
+        assert await change("$HOME/one", "copy", "/fileservice/$HOME/one/inside") == 204
+        assert (home / "one" / "inside" / "two" / "a.txt").is_file()
+        assert not (home / "one" / "inside" / "inside").exists()
 
     serve(tmp_path, IDLE, use)
 

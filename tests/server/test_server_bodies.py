@@ -5,9 +5,11 @@
 
 from __future__ import annotations
 
+import io
 import os
 import pickle
 import re
+import zipfile
 from collections.abc import Iterable, Iterator
 from pathlib import Path
 
@@ -16,7 +18,7 @@ from every_route import RIGHT, STATES, THERE, address_of, switched_on
 from rapidsim import __version__
 from rapidsim.server.engine import Engine
 from rapidsim.server.http import bodies
-from rapidsim.server.messages import Answer, ErrorAnswer, Reply, Request
+from rapidsim.server.messages import Answer, ErrorAnswer, ReadState, Reply, Request
 from rapidsim.server.resources import files
 from rapidsim.server.resources.route import Route
 from rapidsim.server.resources.table import ROUTES
@@ -47,6 +49,23 @@ FURTHER: dict[str, tuple[tuple[str, dict[str, str]], ...]] = {
     "asking": (("rw/rapid/uiinstr/active", {}),),
 }
 """Other addresses, with queries, by state."""
+_OF_MODULE = {"task": "T_ROB1", "module": "Tried"}
+CHANGING: dict[str, dict[str, str]] = {
+    "state": {},
+    "joints": {},
+    "jog": {"frame": "base", "length": "10", "angle": "5"},
+}
+"""Parts of the operator page, with queries."""
+LASTING = {
+    "text": _OF_MODULE,
+    "module": _OF_MODULE,
+    "arm": {},
+    "task": _OF_MODULE,
+    "rule": {"code": "K601"},
+    "backup.zip": {"generation": "2"},
+}
+"""Parts that are alike in all states."""
+LONGEST = {"arm": 500, "rule": 80}
 PLACES: dict[str, dict[str, str]] = {
     "ctrl/$": {"name": "HOME"},
     "rw/devices/": {"name": "HW_DEVICES"},
@@ -98,6 +117,20 @@ def _answers(engine: Engine, state: str, version: int, routes: Iterable[Route]) 
         yield f"{version} {state} {route.method} {address}{action}\n  {text[:LENGTH]}"
 
 
+def _parts(engine: Engine, state: str) -> Iterator[str]:
+    """The parts of the operator page in a state."""
+    STATES[state][0](engine.reply)
+    for view, query in (CHANGING | (LASTING if state == "stopped" else {})).items():
+        reply = engine.reply(ReadState(view, query))
+        assert isinstance(reply, Answer)
+        content = reply.content or b""
+        if view.endswith(".zip"):
+            names = zipfile.ZipFile(io.BytesIO(content)).namelist()
+            content = "\n".join(names).encode()
+        text = _FIGURE.sub(_rounded, content.decode().replace("\n", "\\n"))
+        yield f"ui {state} {view}\n  {text[: LONGEST.get(view, 2 * LENGTH)]}"
+
+
 def _rounded(figure: re.Match[str]) -> str:
     return f"{float(figure[0]):.4f}"
 
@@ -117,6 +150,11 @@ def _shown(reply: Reply, show: object, address: str) -> str:
 
 def test_answers_are_as_they_were(tmp_path: Path) -> None:
     found = list[str]()
+    for state in (*FORMS, "after an error"):
+        folder = tmp_path / state
+        folder.mkdir()
+        with switched_on(folder) as (engine, _):
+            found += _parts(engine, state)
     for version, routes in ROUTES.items():
         # Of RobotWare 8, what 7 has not.
         own = (*routes, _FOLDER) if version < 8 else routes[: -len(ROUTES[7])]

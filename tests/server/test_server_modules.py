@@ -87,7 +87,7 @@ def test_a_backup_is_a_cell_that_check_takes(tmp_path: Path) -> None:
         await served.post("rw/rapid/execution?action=start", cycle="once")
         while await served.executes():
             pass
-        assert (await served.get("ctrl/backup?action=backupstate"))[0]["backup-state"] == "None"
+        assert (await served.get("ctrl/backup?action=backupstate"))[0]["backup state"] == "None"
         url = f"{served.base}/ctrl/backup?action=backup"
         for wrong in ("/fileservice/$HOME/b", "$BACKUP", "$NOWHERE/b", "b", "$BACKUP/../b"):
             async with served.client.post(url, data={"backup": wrong}) as done:

@@ -15,10 +15,12 @@ from typing import Any, NamedTuple
 import aiohttp
 from served_controller import Served, serve
 
+from rapidsim.server.versions import served_versions
+
 CELL = {
     "RAPID/TASK1/PROGMOD/MainModule.mod": "MODULE MainModule\n  PERS num k := 0;\n  PROC main()\n"
     "    WaitTime 9;\n  ENDPROC\nENDMODULE\n",
-    "RAPID/TASK1/SYSMOD/BASE.sys": "MODULE BASE(SYSMODULE)\nENDMODULE\n",
+    "RAPID/TASK1/SYSMOD/BASE.sys": "MODULE BASE(SYSMODULE,NOSTEPIN)\nENDMODULE\n",
     "SYSPAR/EIO.cfg": """EIO:CFG_1.0:6:1::
 #
 INDUSTRIAL_NETWORK:
@@ -114,6 +116,7 @@ def _listed(path: str, kind: str, *titles: str) -> dict[str, Any]:
     return {"_links": _links(f"{path}/"), "_embedded": {"resources": items}}
 
 
+NOWHERE = "ROOTrw/retcode?code=-1073414145"
 BODIES: dict[str, dict[str, Any]] = {
     "rw/panel/ctrl-state": {
         "_links": _links("rw/panel/ctrl-state/"),
@@ -232,6 +235,15 @@ BODIES: dict[str, dict[str, Any]] = {
     },
 }
 """Bodies of RobotWare 7."""
+POINTERS = {
+    "_links": _links("rw/rapid/", "tasks/T_ROB1/pcp"),
+    "status": DONE,
+    "state": [
+        {"_type": "pcp-info", "_title": one, one: {"_links": {"error": {"href": NOWHERE}}}}
+        for one in ("progpointer", "motionpointer")
+    ],
+}
+"""Pointers of RobotWare 8.2.1 that are nowhere."""
 PAGES = {
     # Addresses in the list of services are relative to the root.
     "rw": ("", "rw/panel"),
@@ -314,6 +326,7 @@ def test_recorded_answers(tmp_path: Path) -> None:
                 status = (await answer.json(content_type=None))["status"]
                 shown = answer.status, answer.headers["Content-Type"], status["code"]
                 assert shown == (404, "text/html", -1073438713)
+            await _pointers(served, second)
         await _pages(served)
         await other.post("rw/rapid/execution?action=start", cycle="forever")
         for row in FIRST:
@@ -346,9 +359,31 @@ async def _bodies(served: Served, client: aiohttp.ClientSession) -> None:
             # Links to what else is there follow.
             del body["_embedded"]["resources"][1:]
         if path.startswith("rw/elog"):
-            del body["_embedded"]["resources"][:-1]
+            # The oldest entry comes first.
+            del body["_embedded"]["resources"][1:]
         assert body == expected, path
         assert list(body) == list(expected), path
+
+
+async def _pointers(served: Served, client: aiohttp.ClientSession) -> None:
+    """Read the pointers as RobotWare 8 has them, and as 7 had them."""
+    url = f"{served.second}/rw/rapid/tasks/T_ROB1/pcp"
+    task = served.engine.live.task("T_ROB1")
+    versions = served.engine.context.versions
+    shown = []
+    for version, has_pointer in ((8, False), (8, True), (7, True), (7, False)):
+        served.engine.context.versions = served_versions(None, version)
+        task.has_pointer = has_pointer
+        async with client.get(url, headers={"Accept": HAL}) as answer:
+            shown.append(_shape(await answer.json(content_type=None), f"{served.second}/"))
+    task.has_pointer, served.engine.context.versions = True, versions
+    names = ("modulemame", "routinename", "beginposition", "endposition", "executiontype")
+    fields = dict.fromkeys(names, TEXT)
+    nested, flat = shown[1]["state"][0], shown[2]["state"]
+    assert shown[0] == POINTERS
+    assert nested == {"_type": "pcp-info", "_title": "progpointer", "progpointer": fields}
+    assert flat == [{"_type": "pcp-info", "_title": "progpointer", **fields}]
+    assert shown[3]["state"] == []
 
 
 async def _pages(served: Served) -> None:
@@ -357,6 +392,25 @@ async def _pages(served: Served) -> None:
             text = await answer.text()
         assert f'<base href="{served.base}/{base}"/>' in text, path
         assert f'<a href="{href}" rel="self"/>' in text, path
+    async with served.client.get(f"{served.base}/rw/iosystem/signals?json=1") as answer:
+        body = await answer.json()
+    # Numbers are no texts in lists of JSON, and addresses lead to JSON.
+    body["_embedded"]["_state"] = body["_embedded"]["_state"][1:2]
+    title = "Net/Dev/ES1"
+    assert body == {
+        "_links": {"base": {"href": f"{served.base}/rw/iosystem/"}},
+        "_embedded": {
+            "_state": [
+                {
+                    "_links": {"self": {"href": f"signals/{title}?json=1"}},
+                    "_type": "ios-signal-li",
+                    "_title": title,
+                    **{"name": "ES1", "type": "DO", "category": ""},
+                    **{"lvalue": 0, "lstate": "not simulated"},
+                }
+            ]
+        },
+    }
     (system, options) = await served.get("rw/system")
     assert (system["_type"], options["_type"]) == ("sys-system-li", "sys-options-li")
     assert options["options"][0]["_type"] == "sys-option-li"
@@ -369,11 +423,30 @@ async def _pages(served: Served) -> None:
         ("rw/rapid/tasks/T_ROB1/motion?resource=jointtarget", "ms-jointtarget", {"rax_1"}),
         ("rw/rapid/tasks/T_ROB1/motion?resource=robtarget", "ms-robtargets", {"q1"}),
         ("rw/motionsystem/mechunits/ROB_1/cartesian", "ms-mechunit-cartesian", {"q1", "j1", "jx"}),
+        ("rw/elog/0/1", "elog-message", {"code", "title"}),
+        ("rw/rapid/tasks/spy", "rap-spy-status", {"status"}),
+        ("rw/rapid/modules/BASE?task=T_ROB1", "rap-module", {"modname", "filename", "attribute"}),
+        ("ctrl/backup?action=backupstate", "ctrl-backup-state", {"backup state"}),
         ("ctrl/identity", "ctrl-identity-info", {"ctrl-name", "ctrl-type", "ctrl-level"}),
     ):
         (item,) = await served.get(path)
         assert item["_type"] == kind
         assert item.keys() >= names
+    (system_module,) = await served.get("rw/rapid/modules/base?task=T_ROB1")
+    assert tuple(
+        system_module[one] for one in ("taskname", "modname", "filename", "attribute")
+    ) == (*("T_ROB1", "BASE", "BASE.sys", "sysmod,nostepin"),)
+    axes = await served.get("rw/motionsystem/mechunits/ROB_1/axes")
+    assert (axes[0]["_type"], axes[0]["axes"], len(axes)) == ("ms-mechunit-axes", "6", 7)
+    axis = await served.get("rw/motionsystem/mechunits/ROB_1/axes/6")
+    assert [(one["_type"], *list(one.items())[2:]) for one in axis] == [
+        ("ms-mechunit-axisstatus", ("axis-status", "Synchronized")),
+        ("ms-mechunit-logicalaxis", ("logical-axis", "6")),
+    ]
+    assert await served.status("rw/motionsystem/mechunits/ROB_1/axes/7") == (404, -1073414146)
+    # Counts of entries only where they are asked for.
+    assert "numevts" not in (await served.get("rw/elog"))[0]
+    assert (await served.get("rw/elog?resource=count"))[0]["numevts"] != "0"
     names = {one["name"] for one in await served.get("rw/retcode")}
     assert {"SYS_CTRL_E_EXEC_STATE", "SYS_CTRL_E_INVALIDARG", "SYS_CTRL_E_RESOURCE_HELD"} <= names
     for path, kind in (("", "srvlst-service-li"), ("rw", "rwservice-li")):
@@ -391,6 +464,18 @@ async def _pages(served: Served) -> None:
     (units,) = await served.get("rw/devices/HW_DEVICES")
     assert {one["_type"] for one in units["devices"]} == {"dev-id-li"}
     assert [one["_title"] for one in units["devices"]] == ["CONTROLLER", "ROB_1"]
+    assert [one["name"] for one in await served.get("rw/iosystem/networks")] == ["Local", "Net"]
+    states = []
+    for fails in (True, False):
+        await (served.fail(kind="device_lost", device="Dev") if fails else served.mend())
+        states.append((await served.get("rw/iosystem/devices?network=net"))[0])
+    served.engine.live.cell.disabled_devices.add("dev")
+    states.append((await served.get("rw/iosystem/devices"))[0])
+    assert [(one["name"], one["lstate"], one["pstate"]) for one in states] == [
+        ("Dev", "enabled", "error"),
+        ("Dev", "enabled", "running"),
+        ("Dev", "disabled", "stopped"),
+    ]
     disks = {one["_title"]: one for one in await served.get("fileservice")}
     assert disks["$RAMDISK"]["fs-device-type"] == "ramdisk"
     url = f"{served.base}/rw/iosystem/signals?action=signal-search"

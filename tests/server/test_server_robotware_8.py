@@ -70,6 +70,7 @@ def test_write_access_is_requested_written_with_and_outlives_its_session(tmp_pat
         assert post(f"{ACCESS}/release", 3) == (204, 0)
         assert post(f"{ACCESS}/request", 2) == (204, 0)
         assert shown("id", 2) == {"control-station-Id": OTHER}
+        assert shown("type", 2) == {"control-station-type": "Remote"}
         # A station may register so that the access goes with its session.
         assert register(OTHER, 2, **{"release-write-access-when-lost": "true"}) == (204, 0)
         assert post(f"{ACCESS}/request", 2) == (204, 0)
@@ -78,10 +79,9 @@ def test_write_access_is_requested_written_with_and_outlives_its_session(tmp_pat
         assert shown("type", 4) == {"control-station-type": "none"}
         reply = ask("GET", "/rw/system", 1)
         assert isinstance(reply, Answer)
-        assert (reply.items[0].fields["major"], reply.items[0].fields["rwversion"][:5]) == (
-            "8",
-            "8.1.1",
-        )
+        fields = reply.items[0].fields
+        assert (fields["major"], fields["rwversion"]) == ("8", "8.1.1+614")
+        assert list(fields)[-1] == "rwversionname"
 
     serve(tmp_path, IDLE, use)
 

@@ -96,7 +96,7 @@ def test_a_program_is_started_and_its_data_are_set_with_mastership(tmp_path: Pat
         assert await client.post(f"{signal}/set-value", lvalue="1") == 204
         assert (await client.state(signal))["lvalue"] == "1"
         module = "rw/rapid/tasks/T_ROB1/modules/counting"
-        assert (await client.state(module))["type"] == "ProgMod"
+        assert (await client.state(module))["modname"] == "Counting"
         assert "PulseDO" in (await client.state(f"{module}/text"))["module-text"]
 
     serve_second(tmp_path, use)
@@ -120,6 +120,37 @@ def test_headers_name_the_version(tmp_path: Path) -> None:
                 assert found.status == status, headers
                 if status == 200:
                     assert found.headers["Content-Type"] == "application/xhtml+xml;v=2.0"
+
+    serve_second(tmp_path, use)
+
+
+def test_the_event_log_begins_with_the_oldest_entry_and_has_pages(tmp_path: Path) -> None:
+    async def use(client: Client, served: Served) -> None:
+        for number in range(60):
+            await served.fail(kind="elog", code=38103, title=f"entry {number}")
+        total = int((await client.resources("rw/elog"))[0]["numevts"])
+        status, body = await client.get("rw/elog/0?lang=en")
+        assert len(body["_embedded"]["resources"]) == 50
+        following = "0?order=fifo&amp;lang=en&amp;start=2&amp;limit=50"
+        assert body["_links"]["next"]["href"] == following
+        rest = await client.resources("rw/elog/0?order=fifo&lang=en&start=2&limit=50")
+        assert (len(rest), rest[-1]["title"]) == (total - 50, "entry 59")
+        (last,) = await client.resources(f"rw/elog/0?lang=en&limit=1&start={total}")
+        assert last == rest[-1]
+        status, body = await client.get("rw/elog/0?limit=50&start=9")
+        assert (status, body["status"]["code"]) == (400, -1073445883)
+        number = last["_title"].rpartition("/")[2]
+        (entry,) = (await client.get(f"rw/elog/seqnum/{number}"))[1]["state"]
+        assert (entry["_type"], entry["title"]) == ("elog-message", "entry 59")
+        # Only the version 2.1 of the event log has the newest entry first.
+        later = {"Accept": "application/hal+json;v=2.1"}
+        newest = "rw/elog/0?order=lifo&limit=2"
+        assert (await client.get(newest))[0] == 400
+        status, body = await client.get(newest, **later)
+        assert [one["title"] for one in body["_embedded"]["resources"]] == ["entry 59", "entry 58"]
+        url = f"{client.base}/rw/system"
+        async with client.session.get(url, headers=later) as found:
+            assert found.status == 406
 
     serve_second(tmp_path, use)
 

@@ -8,7 +8,7 @@ import pytest
 from every_route import act, stopped, switched_on
 
 from rapidsim.server.engine import Engine
-from rapidsim.server.messages import ChangeEvent, Notification, Reply, Request, Subscribe
+from rapidsim.server.messages import Answer, ChangeEvent, Notification, Reply, Request, Subscribe
 
 
 @pytest.fixture(scope="module")
@@ -196,6 +196,57 @@ def test_each_storage_has_its_class(
     path = f"/rw/rapid/symbol/properties/RAPID/T_ROB1/Tried/{name}"
     (item,) = engine.reply(Request("GET", path)).items  # type: ignore[union-attr]
     assert (item.kind, item.fields["symtyp"]) == (kind, word)
+
+
+def test_what_clients_leave_out_or_write_otherwise_is_found(
+    switched: tuple[Engine, list[Notification]],
+) -> None:
+    engine, told = switched
+
+    def ask(method: str, path: str, query: str = "", **form: str) -> Reply:
+        words = dict(one.split("=") for one in query.split("&") if one)
+        return engine.reply(Request(method, path, words, form, 1))
+
+    def names(reply: Reply) -> list[str]:
+        assert isinstance(reply, Answer)
+        return [one.fields.get("name", one.title) for one in reply.resources or ()]
+
+    # A disk with a colon or without a dollar sign; no folder is written as a dot.
+    note = Request("PUT", "/fileservice/HOME:/note.txt", {}, {}, 1, 1, b"note")
+    assert engine.reply(note).status == 201
+    assert ask("GET", "/fileservice/home/NOTE.txt").status == 200
+    assert ask("GET", "/fileservice/$HOME/./note.txt").status == 404
+    search = "/rw/rapid/symbols", "action=search-symbols"
+    assert names(ask("POST", *search, blockurl="RAPID/T_ROB1/Tried", regexp="^[kn]$")) == ["n", "k"]
+    assert names(ask("POST", *search, blockurl="RAPID/T_ROB1", symtyp="con")) == ["c"]
+    assert names(ask("POST", *search, blockurl="RAPID/T_ROB1/Other")) == []
+    assert names(ask("GET", "/rw/iosystem/signals", "start=1&limit=1")) == ["aoFlow"]
+    stopped(engine.reply)
+    for action, task, shown in (
+        ("deactivate", "T_ROB1", "Off"),
+        ("activate", "T_ROB1", "On"),
+        ("deactivate", "T_NONE", "On"),
+    ):
+        status = ask("POST", "/rw/rapid/tasks", f"action={action}", task=task).status
+        assert status == (404 if task == "T_NONE" else 204)
+        tasks = ask("GET", "/rw/rapid/tasks").resources or ()  # type: ignore[union-attr]
+        assert [one.fields["active"] for one in tasks if one.kind == "rap-task-li"] == [shown]
+    # The default right in manual mode; a queue of clients is subscribed to by its address.
+    assert ask("POST", "/users/rmmp").status == 202
+    (right,) = ask("GET", "/users/rmmp").items  # type: ignore[union-attr]
+    assert right.fields["privilege"] == "modify"
+    queue = {"dipc-queue-name": "told", "dipc-queue-size": "5"}
+    assert (
+        engine.reply(Request("POST", "/rw/dipc", {"action": "dipc-create"}, queue, 1)).status == 201
+    )
+    engine.reply(Subscribe(("/rw/dipc/told",), 3, 1, (1,)))
+    told.clear()
+    sent = {"dipc-src-queue-name": "told", "dipc-data": "hello", "dipc-cmd": "111"}
+    sent |= {"dipc-userdef": "1", "dipc-msgtype": "1"}
+    engine.reply(Request("POST", "/rw/dipc/told", {"action": "dipc-send"}, sent, 1))
+    assert [one.resource for one in told if isinstance(one, ChangeEvent)] == ["/rw/dipc/told"]
+    # An address without an action is not readable where only actions are.
+    assert ask("GET", "/rw/rapid/symbols").status in (400, 404)
 
 
 def test_the_clock_is_set_and_folders_and_backups_are_made(

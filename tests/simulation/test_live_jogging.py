@@ -187,3 +187,42 @@ def test_a_held_button_moves_as_far_as_the_arm_can_and_an_emergency_stop_ends_it
     pressed = joints(task)[0]
     live.after(5.0)
     assert pressed - 15.0 < joints(task)[0] < pressed - 0.01
+
+
+def test_a_halt_stops_the_step_that_is_made_and_discards_those_after_it() -> None:
+    live, task = manual()
+    for _ in range(3):
+        jog(live.controller, task, JogFrame.JOINTS, 0, 2.0)
+    live.after(0.1)
+    released = joints(task)
+    task.halt_jogging()
+    live.after(0.3)
+    stands = joints(task)
+    assert released[0] < stands[0] < released[0] + 0.8 < 1.7
+    assert np.allclose(stands[1:], released[1:])
+    live.after(3.0)
+    assert np.array_equal(joints(task), stands)
+    # A step that has not begun leaves no trace, and a program does not wait for what was discarded.
+    jog(live.controller, task, JogFrame.JOINTS, 0, -30.0)
+    task.halt_jogging()
+    live.after(0.1)
+    assert np.array_equal(joints(task), stands)
+    began_s = live.controller.now_s
+    live.controller.start()
+    live.after(5.0)
+    moved = task.unit.seen(live.controller.now_s, np.array([began_s + 0.2])).joints[0]
+    assert not np.allclose(np.degrees(moved), stands)
+    assert int(live.value("n")) >= 1
+
+
+def test_a_stop_halts_the_second_of_two_steps_and_keeps_the_first() -> None:
+    live, task = manual()
+    jog(live.controller, task, JogFrame.JOINTS, 0, 2.0)
+    jog(live.controller, task, JogFrame.JOINTS, 1, 2.0)
+    live.after(0.1)
+    while joints(task)[1] < 0.3:
+        live.after(0.01)
+    live.controller.panel.press_emergency_stop(is_pressed=True)
+    live.after(3.0)
+    assert np.isclose(joints(task)[0], 2.0)
+    assert 0.3 < joints(task)[1] < 1.0

@@ -11,10 +11,11 @@ from rapidsim.applications.jog.jog_answers import JogAnswers
 from rapidsim.applications.jog.jog_cell import JogCell
 from rapidsim.applications.jog.taught_targets import TaughtModules
 from rapidsim.server.http.local_page import LocalPage
-from rapidsim.server.http.operator_page import script
+from rapidsim.server.http.page_files import framed, page_file
 
 _FOLDER: Final = Path(__file__).with_name("shipped")
-_SCRIPT, _STYLE = "text/javascript", "text/css"
+_SCRIPTS: Final = ("links.js", "arm.js", "jog.js", "jog_page.js")
+_STYLES: Final = ("style.css", "jog_page.css")
 
 
 def page_key() -> str:
@@ -31,15 +32,12 @@ def jog_page(cell: JogCell) -> LocalPage:
         written = modules.write(fields.get("module", ""), fields.get("name", ""), target)
         return {"file": written.file, "line": written.line}
 
-    own = {
-        "": ("jog_page.html", "text/html"),
-        "jog_page.js": ("jog_page.js", _SCRIPT),
-        "jog_page.css": ("jog_page.css", _STYLE),
-    }
-    shared = {"links.js": _SCRIPT, "arm.js": _SCRIPT, "jog.js": _SCRIPT, "style.css": _STYLE}
+    content = _own("jog_page.html")
+    page = framed("rapidsim jog", content, _STYLES, _SCRIPTS)
+    kinds = dict.fromkeys(_STYLES, "text/css") | dict.fromkeys(_SCRIPTS, "text/javascript")
     return LocalPage(
-        files={name: ((_FOLDER / file).read_bytes(), kind) for name, (file, kind) in own.items()}
-        | {name: (script(name), kind) for name, kind in shared.items()},
+        files={name: (_own(name), kind) for name, kind in kinds.items()}
+        | {"": (page, "text/html")},
         reads={
             "start": answers.start,
             "standing": answers.standing,
@@ -49,3 +47,9 @@ def jog_page(cell: JogCell) -> LocalPage:
         },
         changes={"teach": teach},
     )
+
+
+def _own(name: str) -> bytes:
+    """Return a file of this page, or of all pages."""
+    file = _FOLDER / name
+    return file.read_bytes() if file.is_file() else page_file(name)

@@ -108,6 +108,11 @@ class Trajectory:
             self._guided[-1] = replace(self._guided[-1], until_s=section.start_s)
         self._guided.append(_Guided(section))
 
+    def withdraw_guidance(self) -> None:
+        """Discard the last guidance, which has not begun: the robot rests where it was before."""
+        *before, _ = self._guided
+        self._guided = [*before[:-1], *(replace(one, until_s=np.inf) for one in before[-1:])]
+
     def correct(self, section: CorrectedSection) -> None:
         """Add an offset to the arm's path from now on."""
         self._corrected.append(section)
@@ -247,8 +252,7 @@ class Trajectory:
     def mark(self, time_s: float) -> Mark:
         """Return the mark of a time [s], from which travel can be counted.
 
-        It is a position, because a move may begin slightly before the time at which the program
-        issues it.
+        It is a position, because a move may begin slightly before the program issues it.
         """
         if not self.command.last_row:
             return Mark(time_s, 0.0)
@@ -279,8 +283,7 @@ class Trajectory:
     def at(self, times: Array, *, coarse: bool = False) -> Samples:
         """Return the arm at some instants (k,) [s], in any order.
 
-        With `coarse`, axes are within 1e-6 rad or m, which takes half of the time, or a quarter if
-        moves are short.
+        With `coarse`, axes are within 1e-6 rad or m in half of the time (short moves: a quarter).
         """
         times = np.atleast_1d(np.asarray(times, dtype=np.float64))
         # Where a belt has taken the arm elsewhere, parts of equal width would span the jump.

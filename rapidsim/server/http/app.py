@@ -24,6 +24,7 @@ from rapidsim.server.http.sessions import Session, Sessions
 from rapidsim.server.http.subscription_groups import SubscriptionGroups
 from rapidsim.server.link import EngineEndedError, Link
 from rapidsim.server.messages import (
+    DONE,
     Answer,
     ChangeEvent,
     ConnectionFaults,
@@ -217,7 +218,7 @@ class HttpFrontend:
                 return dialect.represent(request, refusal)
             case "logout", "GET":
                 self.sessions.end(session)
-                return dialect.represent(request, Answer())
+                return dialect.represent(request, Answer() if dialect.generation == 1 else DONE)
             case "fileservice", _:
                 async with session.transfer:
                     return await self._resource(request, path, is_file=True)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from html import escape
 from typing import Final
 from urllib.parse import quote
@@ -17,6 +17,8 @@ _DONE: Final = 294912
 """Code of success in RobotWare 7."""
 _PARTS: Final = {"sys-options-li": "options", "dev-id": "devices"}
 """The name under which JSON has the parts of an item of a class; `attrib` for all others."""
+_NUMBERS: Final = {"ios-signal-li": ("lvalue",)}
+"""Fields of listed items that JSON of RobotWare 6 has as numbers, by class."""
 _XHTML_KINDS: Final = {"sys-options": "sys-option"}
 """Classes that RobotWare 7 names otherwise in XHTML than in JSON."""
 _BEGIN: Final = (
@@ -56,11 +58,25 @@ class RequestLocation:
 
 def json_body(answer: Answer, location: RequestLocation) -> str:
     """Return an answer as JSON."""
-    links = {"base": location.base(answer), "self": location.itself(answer)}
-    links |= {one: one for one in answer.links}
-    items = (*answer.items, *(answer.resources or ()))
-    state = [_json_item(one, location.base_path(answer)) for one in items]
+    base = location.base_path(answer)
+    links = {"base": location.base(answer)}
+    if answer.following:
+        links["next"] = _with_json(_relative(answer.following, base))
+    links |= {one: _with_json(one) for one in answer.links}
+    state = [_json_item(one, base, _with_json) for one in answer.items]
+    for one in answer.resources or ():
+        state.append(_json_item(one, base, _with_json) | _numbers(one))
     return json.dumps({"_links": _json_links(links), "_embedded": {"_state": state}})
+
+
+def _with_json(href: str) -> str:
+    """Return an address whose answer is JSON, too."""
+    return f"{href}{'&' if '?' in href else '?'}json=1"
+
+
+def _numbers(item: Item) -> dict[str, object]:
+    """The fields of a listed item that are numbers, not texts."""
+    return {key: json.loads(item.fields[key]) for key in _NUMBERS.get(item.kind, ())}
 
 
 def json_refusal(refusal: ErrorAnswer, root: str) -> str:
@@ -85,7 +101,7 @@ def hal_body(answer: Answer, location: RequestLocation) -> str:
     if answer.resources is None:
         shown["status"] = {"code": _DONE}
     if answer.items or answer.resources is None:
-        shown["state"] = [_json_item(one, base) for one in answer.items]
+        shown["state"] = [_hal_item(one, base, location.root) for one in answer.items]
     resources = [_json_item(one, base) for one in answer.resources or ()]
     resources += [{**_itself(one), "_title": one} for one in answer.links]
     if resources or answer.resources is not None:
@@ -172,9 +188,10 @@ def _relative(href: str, base: str) -> str:
     return inside if inside != href or not base else f"/{href}"
 
 
-def _json_item(item: Item, base: str) -> dict[str, object]:
+def _json_item(item: Item, base: str, address: Callable[[str], str] = str) -> dict[str, object]:
+    href = _relative(item.href, base)
     shown: dict[str, object] = {
-        **_itself(_relative(item.href, base)),
+        **_itself(address(href) if href else ""),
         "_type": item.kind,
         "_title": item.title,
         **item.fields,
@@ -182,8 +199,23 @@ def _json_item(item: Item, base: str) -> dict[str, object]:
     if item.arguments:
         shown["argv"] = [{"type": "string", "value": one} for one in item.arguments]
     if item.parts:
-        shown[_PARTS.get(item.kind, "attrib")] = [_json_item(one, base) for one in item.parts]
+        shown[_PARTS.get(item.kind, "attrib")] = [
+            _json_item(one, base, address) for one in item.parts
+        ]
     return shown
+
+
+def _hal_item(item: Item, base: str, root: str) -> dict[str, object]:
+    if not item.is_nested:
+        return _json_item(item, base)
+    inside: dict[str, object] = {**item.fields}
+    if item.error:
+        inside["_links"] = _json_links({"error": f"{root}{_reason(item)}"})
+    return {"_type": item.kind, "_title": item.title, item.title: inside}
+
+
+def _reason(item: Item) -> str:
+    return f"rw/retcode?code={item.error}"
 
 
 def _xhtml_item(item: Item, base: str) -> str:
@@ -199,6 +231,8 @@ def _xhtml_item(item: Item, base: str) -> str:
     inside = f"<ul>{parts}</ul>" if parts else ""
     href = _relative(item.href, base)
     itself = f'<a href="{_quoted(href)}" rel="self"/>' if href else ""
+    if item.error:
+        itself += f'<a href="/{_reason(item)}" rel="error"/>'
     kind = _XHTML_KINDS.get(item.kind, item.kind)
     return (
         f'<li class="{_quoted(kind)}" title="{_quoted(item.title)}">'

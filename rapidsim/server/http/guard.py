@@ -9,8 +9,11 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from ipaddress import ip_address
+from typing import Final
 
 from rapidsim.values import value_class
+
+_SCHEMES: Final = ("http", "https", "ws", "wss")
 
 
 @value_class(frozen=True, slots=True)
@@ -42,7 +45,8 @@ class Guard:
         if origin is None:
             is_admitted = is_link or is_own
         else:
-            is_admitted = origin.lower() in (f"http://{host}", f"https://{host}")
+            # Some clients that are no browsers name the websocket.
+            is_admitted = origin.lower() in {f"{one}://{host}" for one in _SCHEMES}
         return (
             None if is_admitted else "pages of others are refused; `--allow-origin URL` admits one"
         )

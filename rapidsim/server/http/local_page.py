@@ -18,7 +18,7 @@ from rapidsim.files import InputError
 from rapidsim.server.http.connections import Connections
 from rapidsim.server.http.guard import Guard
 from rapidsim.server.http.open_port import end_signal, listen
-from rapidsim.server.http.operator_page import HEADERS
+from rapidsim.server.http.page_files import HEADERS
 from rapidsim.server.http.request_reading import decoding, path_of, read_form
 from rapidsim.values import value_class
 

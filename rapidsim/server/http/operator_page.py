@@ -8,46 +8,25 @@ from __future__ import annotations
 
 from collections.abc import Awaitable, Callable
 from functools import cache
-from pathlib import Path
 from types import MappingProxyType
 from typing import Final, TypeAlias
 
 from aiohttp import web
 
-from rapidsim.report import html
+from rapidsim.server.http.page_files import HEADERS, framed, page_file
 from rapidsim.server.http.request_reading import read_file, read_form
 from rapidsim.server.messages import ErrorAnswer, Inquiry, ReadState, Reply, Request, Upload
 
-_FOLDER: Final = Path(__file__).with_name("shipped")
-_FILES: Final = MappingProxyType(
-    {
-        "": ("page.html", "text/html"),
-        "links.js": ("links.js", "text/javascript"),
-        "arm.js": ("arm.js", "text/javascript"),
-        "jog.js": ("jog.js", "text/javascript"),
-        "page.js": ("page.js", "text/javascript"),
-        "style.css": ("style.css", "text/css"),
-    }
-)
-_SHARED: Final = Path(html.__file__).parent / "shipped"
-"""Folder of the scripts that reports have as well."""
+_STYLE: Final = "style.css"
+_SCRIPTS: Final = ("links.js", "arm.js", "jog.js", "page.js")
+_FILES: Final = MappingProxyType({_STYLE: "text/css", **dict.fromkeys(_SCRIPTS, "text/javascript")})
+"""Kind of each file that the page loads."""
 _JSON: Final = "application/json"
 _VIEWS: Final = MappingProxyType(
     dict.fromkeys(("state", "text", "arm", "joints", "jog", "task", "rule"), _JSON)
     | {"module": "text/plain", "backup.zip": "application/zip"}
 )
 """Kind of each part that the engine answers."""
-HEADERS: Final = MappingProxyType(
-    {
-        "Content-Security-Policy": "default-src 'none'; script-src 'self'; style-src 'self'; "
-        "connect-src 'self'; img-src data:; base-uri 'none'; form-action 'none'; "
-        "frame-ancestors 'none'",
-        "X-Content-Type-Options": "nosniff",
-        "Referrer-Policy": "no-referrer",
-        "Cache-Control": "no-store",
-    }
-)
-"""Headers of a page that loads nothing of others and is shown in no frame of theirs."""
 Ask: TypeAlias = Callable[[Inquiry], Awaitable[Reply]]
 
 
@@ -63,11 +42,12 @@ async def serve_operator_page(
         move_request: Sends a message to the engine.
     """
     match request.method, rest:
-        case "GET", name if name in _FILES:
-            if request.path.endswith("/ui/"):
+        case "GET", "":
+            if request.path.endswith("/"):
                 raise web.HTTPFound("/ui")
-            file, kind = _FILES[name]
-            return _response(script(file), kind)
+            return _response(_page(), "text/html")
+        case "GET", name if name in _FILES:
+            return _response(page_file(name), _FILES[name])
         case "GET", view if view in _VIEWS:
             return _replied(await move_request(ReadState(view, dict(request.query))), _VIEWS[view])
         case "POST", "do":
@@ -87,10 +67,9 @@ async def serve_operator_page(
 
 
 @cache
-def script(name: str) -> bytes:
-    """Return a file of the page, or of the reports."""
-    file = _FOLDER / name
-    return (file if file.is_file() else _SHARED / name).read_bytes()
+def _page() -> bytes:
+    styles, scripts = ([f"/ui/{one}" for one in names] for names in ((_STYLE,), _SCRIPTS))
+    return framed("rapidsim controller", page_file("page.html"), styles, scripts)
 
 
 def _replied(reply: Reply, kind: str = _JSON) -> web.Response:

@@ -22,12 +22,20 @@ from rapidsim.server.http.bodies import (
 )
 from rapidsim.server.http.dialect import Users, represent, root_of
 from rapidsim.server.messages import ErrorAnswer, Reply
+from rapidsim.server.resources.codes import BAD_PARAMETER
 
 _HAL: Final = "application/hal+json"
 _XHTML: Final = "application/xhtml+xml"
+_LATER_LOG: Final = "2.1"
+"""Version whose event log may begin with the newest entry; only the event log has it."""
 _FORM: Final = "application/x-www-form-urlencoded;v=2.0"
-_ACCEPTED: Final = re.compile(r"(application/(?:hal\+json|xhtml\+xml)|\*/\*)(?:;v=(2\.\d))?")
+_ACCEPTED: Final = re.compile(r"(application/(?:hal\+json|xhtml\+xml)|\*/\*)(?:;v=(2\.[01]))?")
 """A representation; only the wildcard may omit the version."""
+
+_NO_LIFO: Final = ErrorAnswer(
+    *BAD_PARAMETER,
+    "LIFO is not supported in v=2.0, Use v=2.1 to list Elog messages in LIFO order.",
+)
 
 
 @dataclass(frozen=True, slots=True)
@@ -44,9 +52,14 @@ class Rws2Dialect:
         is_file = request.path.startswith("/fileservice/")
         if request.method == "GET":
             is_socket = request.path.startswith("/poll/")
-            if is_file or is_socket or _accepted(request) is not None:
+            if is_file or is_socket:
                 return None
-            return web.Response(status=406, text=f"Accept is {_HAL};v=2.0 or {_XHTML};v=2.0\n")
+            accepted = _accepted(request)
+            if accepted is None or (accepted[1] == _LATER_LOG and not _is_log(request)):
+                return web.Response(status=406, text=f"Accept is {_HAL};v=2.0 or {_XHTML};v=2.0\n")
+            if _is_log(request) and request.query.get("order") == "lifo":
+                return None if accepted[1] == _LATER_LOG else self.represent(request, _NO_LIFO)
+            return None
         written = _squeezed(request.headers.get("Content-Type", ""))
         if written.startswith(_FORM) or (is_file and ";v=2." in written):
             return None
@@ -54,11 +67,11 @@ class Rws2Dialect:
 
     def represent(self, request: web.Request, reply: Reply) -> web.Response:
         """See `Dialect`."""
-        form, version = _accepted(request) or (_XHTML, "2.0")
+        form, _ = _accepted(request) or (_XHTML, "")
         # Writes answer in XHTML, for any requested representation.
         if form == _HAL and (request.method == "GET" or isinstance(reply, ErrorAnswer)):
-            return represent(request, reply, hal_body, hal_refusal, f"{_HAL};v={version}")
-        return represent(request, reply, xhtml_body, later_xhtml_refusal, f"{_XHTML};v={version}")
+            return represent(request, reply, hal_body, hal_refusal, f"{_HAL};v=2.0")
+        return represent(request, reply, xhtml_body, later_xhtml_refusal, f"{_XHTML};v=2.0")
 
     def file_refused(self, request: web.Request, refusal: ErrorAnswer) -> web.Response:
         """Return JSON labelled as HTML if a file is missing, as controllers do."""
@@ -72,6 +85,10 @@ class Rws2Dialect:
         body = subscribed(group, link, root_of(request))
         headers = {"Location": link, "Content-Type": f"{_XHTML};v=2.0"}
         return web.Response(status=201, headers=headers, body=body.encode())
+
+
+def _is_log(request: web.Request) -> bool:
+    return request.path.startswith("/rw/elog/")
 
 
 def _accepted(request: web.Request) -> tuple[str, str] | None:

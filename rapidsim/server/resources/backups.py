@@ -40,9 +40,9 @@ def create(context: RequestContext, request: Request) -> Answer:
 
 def state(context: RequestContext, request: Request) -> Answer:
     """Whether there has been a backup."""
-    del request
     shown = "Backup Ready" if context.operations else "None"
-    return Answer((Item("ctrl-backup-state", "state", {"backup-state": shown}),))
+    name = "backup state" if request.generation == 1 else "backup-state"
+    return Answer((Item("ctrl-backup-state", "state", {name: shown}),))
 
 
 def information(context: RequestContext, request: Request) -> Answer:

@@ -19,6 +19,8 @@ NO_WRITE_ACCESS: Final = (403, -1073435873)
 WRITE_ACCESS_TAKEN: Final = (403, -1073435870)
 GONE: Final = (410, -1073414146)
 READ_ONLY: Final = (403, -1073445881)
+NO_PAGE: Final = (400, -1073445883)
+NO_POINTER: Final = -1073414145
 
 # Codes of RobotWare 7 for "not found" and "no such symbol" of 6.16.
 LATER_NO_SYMBOL: Final = (404, -1073442816)

@@ -10,7 +10,7 @@ from __future__ import annotations
 import os
 import shutil
 import tempfile
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Set
 from contextlib import contextmanager, suppress
 from datetime import datetime
 from pathlib import Path
@@ -30,6 +30,7 @@ from rapidsim.values import value_class
 
 DISKS: Final = ("HOME", "TEMP", "RAMDISK", "BACKUP")
 """Folders that clients reach by `$NAME`."""
+_ROOT: Final = "/fileservice/"
 _UPLOAD: Final = ".upload-"
 """Prefix of files that are not complete yet."""
 _STAMP = "%Y-%m-%d T %H:%M:%S"
@@ -100,16 +101,7 @@ class FileService:
 
     def home_files(self) -> Iterator[tuple[str, Path]]:
         """Yield each file of HOME, but for those of the other disks, with its path in HOME."""
-        disks = {self._folder(disk) for disk in DISKS} - {self.home}
-        pending = [self.home]
-        while pending:
-            for one in sorted(pending.pop().iterdir()):
-                if not _is_file_or_folder(one) or _leads_away(one.name) or one in disks:
-                    continue
-                if one.is_dir():
-                    pending.append(one)
-                else:
-                    yield one.relative_to(self.home).as_posix(), one
+        return _files(self.home, {self._folder(disk) for disk in DISKS} - {self.home})
 
     def write_folder(self, address: str, files: Mapping[str, bytes | Path]) -> None:
         """Write a new folder with files, or copies, by paths in it, completely or not at all.
@@ -161,26 +153,32 @@ class FileService:
                 place.unlink()
             self.limit.release(sum(sizes), len(contents))
 
-    def change(self, address: str, action: str, name: str) -> None:
-        """Create a folder in a folder, or rename or copy a file within its folder.
+    def change(self, address: str, action: str, name: str) -> bool:
+        """Create a folder in a folder, or rename or copy a file or a folder.
+
+        Args:
+            address: That of the file or folder.
+            action: create, rename or copy.
+            name: Name in the folder; that of a copy may be an address from the root on.
+
+        Returns:
+            Whether it is a folder.
 
         Raises:
             RefusedRequest: If the change is impossible, or the disk is full.
         """
         with _missing_if_refused(address):
-            place = self._place(address)
-            if not name or "/" in name:
-                other = place
-            elif action == "create":
-                other = self._place(f"{address}/{name}")
-            else:
-                other = self._place(f"{address.rpartition('/')[0]}/{name}")
-            if other == place or other.exists():
+            place, target = self._place(address), _target(address, action, name)
+            other = place if target is None else self._place(target)
+            if target is None or other == place or other.exists():
                 raise refused(BAD_PARAMETER, f"`{name}` is there already, or no name")
+            is_folder = place.is_dir()
             match action:
                 case "create":
                     self._reserve(other)
                     other.mkdir(parents=True)
+                case "copy" if is_folder:
+                    self.write_folder(target, dict(_files(place)))
                 case "copy":
                     if not place.is_file():
                         raise _missing(address)
@@ -190,6 +188,7 @@ class FileService:
                     place.rename(other)
                 case _:
                     raise refused(BAD_PARAMETER, f"files have no action {action}")
+        return is_folder
 
     def _reserve(self, place: Path, count: int = 0) -> None:
         """Use more bytes of the disk, for a file or folder that may be new.
@@ -240,6 +239,28 @@ class FileService:
             return None
         place = self._folder(disk)
         return None if place.is_symlink() else place
+
+
+def _target(address: str, action: str, name: str) -> str | None:
+    """Return the address that a change names; None if it is no name."""
+    if action == "copy" and name.startswith(_ROOT):
+        return name.removeprefix(_ROOT)
+    if action == "create":
+        return f"{address}/{name}" if name.strip("/") and not name.startswith("/") else None
+    return f"{address.rpartition('/')[0]}/{name}" if name and "/" not in name else None
+
+
+def _files(folder: Path, without: Set[Path] = frozenset()) -> Iterator[tuple[str, Path]]:
+    """Yield each file below a folder, but for those in some folders, with its path in it."""
+    pending = [folder]
+    while pending:
+        for one in sorted(pending.pop().iterdir()):
+            if not _is_file_or_folder(one) or _leads_away(one.name) or one in without:
+                continue
+            if one.is_dir():
+                pending.append(one)
+            else:
+                yield one.relative_to(folder).as_posix(), one
 
 
 def path_of_programs(address: str) -> str:

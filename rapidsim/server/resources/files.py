@@ -50,7 +50,10 @@ def remove(context: RequestContext, request: Request, address: str) -> Answer:
 
 
 def change(context: RequestContext, request: Request, address: str) -> Answer:
-    """Create a folder in a folder, or rename or copy a file within its folder."""
+    """Create a folder in a folder, or rename or copy a file or a folder."""
     form = request.form
-    context.files.change(address, form.get("fs-action", ""), form.get("fs-newname", ""))
-    return Answer(status=201)
+    action = form.get("fs-action", "")
+    is_folder = context.files.change(address, action, form.get("fs-newname", ""))
+    if action == "create":
+        return Answer(status=201)
+    return Answer() if is_folder and action == "rename" else DONE

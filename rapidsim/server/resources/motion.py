@@ -142,16 +142,31 @@ def cartesian(context: RequestContext, request: Request, unit: str) -> Answer:
 
 
 def axes(context: RequestContext, request: Request, unit: str) -> Answer:
-    """The axes of a robot."""
+    """The number of axes of a robot, and the address of each."""
     del request
     name, task = _robot(context, unit)
     count = len(task.unit.member.robot.joints)
+    total = Item("ms-mechunit-axes", "axes", {"axes": str(count)})
     address = f"rw/motionsystem/mechunits/{name}/axes"
     items = (
         Item("ms-axis-li", str(number), href=f"{address}/{number}")
         for number in range(1, count + 1)
     )
-    return Answer(resources=tuple(items))
+    return Answer((total,), resources=tuple(items))
+
+
+def axis(context: RequestContext, request: Request, unit: str, number: str) -> Answer:
+    """The state of an axis of a robot.
+
+    Raises:
+        RefusedRequest: If the robot has no axis of this number.
+    """
+    del request
+    name, task = _robot(context, unit)
+    if number not in map(str, range(1, len(task.unit.member.robot.joints) + 1)):
+        raise refused(NOT_FOUND, f"{name} has no axis {number}")
+    state = Item("ms-mechunit-axisstatus", "axis", {"axis-status": "Synchronized"})
+    return Answer((state, Item("ms-mechunit-logicalaxis", "axis", {"logical-axis": number})))
 
 
 def base_frame(context: RequestContext, request: Request, unit: str) -> Answer:

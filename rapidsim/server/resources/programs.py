@@ -2,13 +2,23 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 from rapidsim.interpreter.linking.saved_text import text_of
+from rapidsim.language.moves import Place
 from rapidsim.server.messages import DONE, Answer, Item, Request
-from rapidsim.server.resources.codes import BAD_PARAMETER, LATER_NO_MODULE, NOT_FOUND, refused
+from rapidsim.server.resources.codes import (
+    BAD_PARAMETER,
+    LATER_NO_MODULE,
+    NO_POINTER,
+    NOT_FOUND,
+    refused,
+)
 from rapidsim.server.resources.context import RequestContext, chosen, count, required_value
 from rapidsim.server.resources.disks import path_of_programs
 from rapidsim.simulation.live import program_memory
 from rapidsim.simulation.live.live_task import LiveTask
+from rapidsim.simulation.live.position import position_snapshot
 from rapidsim.simulation.live.states import Cycle, ExecutionMode, StopMode, TaskState
 from rapidsim.syntax import tree
 
@@ -96,6 +106,12 @@ def task(context: RequestContext, request: Request, task: str) -> Answer:
     return Answer(tuple(items), links=("pcp", "program"))
 
 
+def spy(context: RequestContext, request: Request) -> Answer:
+    """Whether the controller logs statements for clients, which it never does here."""
+    del context, request
+    return Answer((Item("rap-spy-status", "spy", {"status": "Not Logging"}),))
+
+
 def activate(context: RequestContext, request: Request, task: str | None = None) -> Answer:
     """Activate a task, or all."""
     context.live.activate(task or request.form.get("task"), active=True)
@@ -109,20 +125,38 @@ def deactivate(context: RequestContext, request: Request, task: str | None = Non
 
 
 def pointers(context: RequestContext, request: Request, task: str) -> Answer:
-    """The position of the program pointer of a task."""
-    del request
+    """The positions of the program pointer and of the motion pointer of a task.
+
+    A pointer that is nowhere is an error in RobotWare 8, and absent before.
+    """
     found = context.live.task(task)
-    place = found.place
+    is_later = request.generation == 2 and context.has_control_stations
+    begin = "begposition" if request.generation == 1 else "beginposition"
+    motion = position_snapshot(found).move if found.setup.robot else None
+    # These names of fields are spelt so by controllers.
+    places = (
+        ("progpointer", found.place if found.has_pointer else None, "modulemame", "beginposition"),
+        ("motionpointer", motion, "modulename", begin),
+    )
+    items = []
+    for title, place, *names in places:
+        if place is not None:
+            fields = _pointer(found, place, *names)
+            items.append(Item("pcp-info", title, fields, is_nested=is_later))
+        elif is_later:
+            items.append(Item("pcp-info", title, is_nested=True, error=NO_POINTER))
+    return Answer(tuple(items), base="rw/rapid" if is_later else None)
+
+
+def _pointer(task: LiveTask, place: Place, module: str, begin: str) -> dict[str, str]:
     span = place.span
-    fields = {
-        "modulemame": _module_at(found),  # So spelt by controllers.
+    return {
+        module: _module_at(task, place),
         "routinename": place.routine,
-        "beginposition": f"{span.line},{span.column}",
+        begin: f"{span.line},{span.column}",
         "endposition": f"{span.end_line},{span.end_column}",
         "executiontype": "normal",
     }
-    items = (Item("pcp-info", "progpointer", fields),) if found.has_pointer else ()
-    return Answer(items)
 
 
 def program(context: RequestContext, request: Request, task: str) -> Answer:
@@ -151,7 +185,14 @@ def module(
     if request.query.get("resource") == "module-text":
         return module_text(context, request, module, task)
     of = context.live.task(task or required_value(request.query, "task"))
-    item = _module_item(of, _module(of, module))
+    found = _module(of, module)
+    fields = {"taskname": of.name} if request.generation == 1 else {}
+    fields |= {
+        "modname": found.name.text,
+        "filename": Path(found.source.file).name,
+        "attribute": ",".join(one.key.replace("sysmodule", "sysmod") for one in found.attributes),
+    }
+    item = Item("rap-module", f"{of.name}/{found.name.text}", fields)
     return Answer((item,), links=("text",) if request.generation == 2 else ())
 
 
@@ -261,10 +302,10 @@ def _module_item(task: LiveTask, module: tree.Module) -> Item:
     return Item("rap-module-info-li", f"{task.name}/{name}", {"name": name, "type": kind})
 
 
-def _module_at(found: LiveTask) -> str:
-    file = found.place.span.file
+def _module_at(found: LiveTask, place: Place) -> str:
+    file = place.span.file
     inside = (one for one in program_memory.modules(found) if one.source.file == file)
     for one in inside:
-        if one.start <= found.place.span.start <= one.end:
+        if one.start <= place.span.start <= one.end:
             return one.name.text
     return ""

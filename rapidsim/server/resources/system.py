@@ -87,7 +87,8 @@ def system(context: RequestContext, request: Request) -> Answer:
             "major": str(version.robotware.major),
             "minor": str(version.robotware.minor),
         }
-        item, kind = Item("sys-system", "system", {**numbers, **fields}), "sys-options"
+        later = {"rwversionname": version.name} if version.robotware.major > 7 else {}
+        item, kind = Item("sys-system", "system", {**numbers, **fields, **later}), "sys-options"
     listed = Item("sys-options-li", "options", parts=_options(context, kind), href=_OPTIONS)
     return Answer((item,), (listed,), links=("options", "robottype", "license"))
 

@@ -65,6 +65,7 @@ _BOTH: Final = (
     Route("GET", "rw/panel/coldetstate", panel.collision_detection),
     Route("GET", _EXECUTION, programs.execution),
     Route("GET", "rw/rapid/tasks", programs.tasks),
+    Route("GET", "rw/rapid/tasks/spy", programs.spy),
     Route("GET", _TASK, programs.task),
     Route("GET", f"{_TASK}/pcp", programs.pointers),
     Route("GET", f"{_TASK}/program", programs.program),
@@ -84,6 +85,7 @@ _BOTH: Final = (
     Route("GET", f"{_UNIT}/cartesian", motion.cartesian),
     Route("GET", f"{_UNIT}/baseframe", motion.base_frame),
     Route("GET", f"{_UNIT}/axes", motion.axes),
+    Route("GET", f"{_UNIT}/axes/{{number}}", motion.axis),
     Route("GET", "rw/elog", event_log.domains),
     Route("GET", "rw/elog/{domain}", event_log.entries),
     Route("GET", "rw/elog/{domain}/{number}", event_log.entry),
@@ -199,6 +201,7 @@ _SECOND: Final = (
     Route(
         "POST", "rw/iosystem/devices/{network}/{device}/set-inputdata", signals.set_device_inputs
     ),
+    Route("GET", "rw/elog/seqnum/{number}", event_log.entry),
     Route("POST", "rw/elog/clearall", event_log.clear_all),
     Route("POST", "rw/elog/{domain}/clear", event_log.clear),
     Route("POST", f"{_INSTANCES}/{{name}}", configuration.change),

@@ -39,8 +39,16 @@ class JogMotion:
     """Deceleration [1/s2] of which that axis is capable."""
 
     def halt(self, now_s: float) -> None:
-        """Brake from a time [s] on; do not begin if it has not begun by then."""
-        cycle = max(0, math.ceil((now_s - self.section.start_s) / CYCLE_S))
+        """Brake from a time [s] on; do not begin if it has not begun by then.
+
+        Steps that follow this one must have been halted before.
+        """
+        if now_s <= self.section.start_s:
+            self.unit.member.trajectory.withdraw_guidance()
+            self.section.end_after(0)
+            self._end()
+            return
+        cycle = math.ceil((now_s - self.section.start_s) / CYCLE_S)
         (share,), (rate,) = self.ramp.at(cycle * CYCLE_S)
         rates = np.linspace(rate, 0.0, math.ceil(rate / (self.braking * CYCLE_S)) + 1)
         gained = 0.5 * CYCLE_S * np.cumsum(rates[1:] + rates[:-1])
@@ -55,8 +63,13 @@ class JogMotion:
         speeds = np.concatenate([inner, np.zeros_like(joints[:1])])
         for row, speed in zip(joints[1:], speeds, strict=False):
             self.section.append(row, speed)
+        self._end()
+
+    def _end(self) -> None:
+        """Let the robot continue from the end of the step, as soon as it is there."""
         end, member = self.section.end, self.unit.member
         member.end = Waypoint(end, self.arm.robot.forward(end), self.section.external)
+        member.ready_s = self.section.end_s
         member.start_is_free = False
 
 
@@ -81,8 +94,8 @@ def begin_step(unit: MechanicalUnit, arm: JogArm, step: JogStep, start_s: float)
     )
     motion = JogMotion(unit, arm, step, section, ramp, braking)
     unit.member.trajectory.guide(section)
+    unit.queue.begin_again(start_s)
     motion._append(joints)
-    unit.queue.begin_again(section.end_s)
     return motion
 
 

@@ -117,7 +117,7 @@ def jog(
     motion = begin_step(task.unit, arm, step, start_s)
     if isinstance(motion, str):
         raise RequestRefused(RefusalReason.VALUE, motion)
-    task.jogged = motion
+    task.add_jogging(motion)
 
 
 def _longest(arm: JogArm, step: JogStep) -> JogStep:

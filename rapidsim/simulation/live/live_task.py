@@ -90,8 +90,8 @@ class LiveTask:
     next start on."""
     has_ended: bool = False
     """Whether main has returned, and not been started again."""
-    jogged: JogMotion | None = None
-    """The last step of the robot in manual mode."""
+    _jogged: tuple[JogMotion, ...] = ()
+    """Steps of the robot in manual mode that have not ended, in order of time."""
     _begins_again: bool = False
     """Whether a start after the end of main lets main begin again."""
     _has_started: bool = False
@@ -258,10 +258,16 @@ class LiveTask:
             self.scheduler.wake(self.run.controller.clock)
 
     def halt_jogging(self) -> None:
-        """Brake a robot that is jogged."""
-        if self.jogged is not None:
-            self.jogged.halt(self.scheduler.now_s)
-            self.jogged = None
+        """Brake a robot that is jogged; steps that it has not begun are discarded."""
+        for motion in reversed(self._jogged):
+            motion.halt(self.scheduler.now_s)
+        self._jogged = ()
+
+    def add_jogging(self, motion: JogMotion) -> None:
+        """Take note of a step that the robot makes after the others."""
+        now_s = self.scheduler.now_s
+        going = (one for one in self._jogged if one.section.end_s > now_s)
+        self._jogged = (*going, motion)
 
     def forget(self, before_s: float) -> None:
         """Discard the robot's history before a time [s], unless it may still move back along it."""
