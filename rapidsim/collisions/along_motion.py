@@ -165,7 +165,7 @@ class _Search:
             is_long = self._many_moves(open_ones) & ~touches
             halved = open_ones.seen | is_long
             now = touches | halved | self._nearest_of_moves(open_ones, least)
-            parted = now & ~is_long & ~open_ones.tried & self._has_surfaces(open_ones.pair)
+            parted = now & ~is_long & ~open_ones.has_plane & self._has_surfaces(open_ones.pair)
             halved, measured = now & halved & ~parted, now & ~halved & ~parted
             open_ones = open_ones.rows(~now).and_also(
                 *self._parted(open_ones.rows(parted)),
@@ -264,7 +264,7 @@ class _Search:
         wanted = np.maximum(*(self._nearest[owner, move] for move in moves))
         wanted[self._touch_only[some.pair]] = 0.0
         # The bound for a gap that is not measured must not leave the interval undecided.
-        way = self._block.way(some)
+        way = self._block.approach(some)
         enough = wanted + way * start + TOUCH_M
         before = ~some.seen_start if start else np.zeros_like(some.seen_start)
         todo = np.concatenate([before, ~some.seen_end])

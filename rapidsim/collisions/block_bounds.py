@@ -30,27 +30,27 @@ _AT_ONCE = 100_000
 class BlockBounds:
     """Bounds on the gaps in one block of instants."""
 
-    def __init__(self, scene: Scene, bodies: Bodies, times: Array, judged: Index) -> None:
+    def __init__(self, scene: Scene, bodies: Bodies, times: Array, pairs: Index) -> None:
         """Place the bodies.
 
         Args:
             scene: Arms, bodies and pairs.
             bodies: Bodies of the scene.
             times: Instants (k,) [s].
-            judged: Pairs that exist in the block.
+            pairs: Pairs that exist in the block.
         """
-        self._scene, self._bodies, self._judged = scene, bodies, judged
+        self._scene, self._bodies, self._pairs = scene, bodies, pairs
         self._first: Index = np.array([pair.first for pair in scene.pairs])
         self._second: Index = np.array([pair.second for pair in scene.pairs])
         self._touch_only = np.array([pair.touch_only for pair in scene.pairs])
         self.poses = scene.poses(times)
         """Poses at these instants, then at those within steps."""
         self._steps = len(times)
-        self.travel = Travel(scene, bodies.bounds, self.poses, judged)
+        self.travel = Travel(scene, bodies.bounds, self.poses, pairs)
 
     def initial_intervals(self) -> PairIntervals:
         """Return the longest intervals of pairs that bounds of the bodies leave undecided."""
-        pairs, last = self._judged, self._steps - 1
+        pairs, last = self._pairs, self._steps - 1
         nodes: Index = np.unique(np.append(np.arange(0, self._steps, LONGEST), last))
         start, end = np.arange(len(nodes) - 1), np.arange(1, len(nodes))
         some = max(1, _AT_ONCE // len(nodes))
@@ -88,11 +88,11 @@ class BlockBounds:
 
     def least(self, some: PairIntervals) -> Array:
         """Return lower bounds (k,) [m] of the gaps within intervals."""
-        by_travel = 0.5 * (some.gap_start + some.gap_end - self.way(some))
+        by_travel = 0.5 * (some.gap_start + some.gap_end - self.approach(some))
         least: Array = np.maximum(by_travel, some.floor)
         return least
 
-    def way(self, some: PairIntervals) -> Array:
+    def approach(self, some: PairIntervals) -> Array:
         """Return the most (k,) [m] by which a gap within, twice, is less than those at the ends."""
         way, whole = np.empty(len(some.pair)), self._whole(some)
         steps, parts = some.rows(whole), some.rows(~whole)
@@ -119,10 +119,12 @@ class BlockBounds:
         spaces = self._bodies.spaces(first, second, row, seen, normal)
         least = np.minimum.reduceat(spaces, np.cumsum(count) - count) - self._slack(some, whole)
         floor = np.where(least > 0.0, np.maximum(some.floor, least), some.floor)
-        return replace(some, floor=floor, tried=np.ones(len(pair), dtype=np.bool_))
+        return replace(some, floor=floor, has_plane=np.ones(len(pair), dtype=np.bool_))
 
     def halves(self, some: PairIntervals, least: Array) -> tuple[PairIntervals, PairIntervals]:
         """Halve intervals; the gap in the middle is at least `least` (k,) [m]."""
+        if not len(some.pair):
+            return some, some
         middle: Index = (some.start + some.end) // 2
         within = (some.end - some.start == 1) | ~self._whole(some)
         bend = some.bend.copy()
@@ -135,7 +137,7 @@ class BlockBounds:
             self.poses = self.poses.and_also(self._scene.poses(distinct))
         near = np.maximum(least, self._bounded(some.pair, middle))
         no = np.zeros(len(near), dtype=np.bool_)
-        some = replace(some, bend=bend, tried=no)
+        some = replace(some, bend=bend, has_plane=no)
         return (
             replace(some, end=middle, gap_end=near, seen_end=no),
             replace(some, start=middle, gap_start=near, seen_start=no),
@@ -146,11 +148,11 @@ class BlockBounds:
         found: Mask = np.maximum(some.start, some.end) < self._steps
         return found
 
-    def _slack(self, some: PairIntervals, whole: Mask) -> Array:
+    def _slack(self, some: PairIntervals, in_steps: Mask) -> Array:
         """Return the deviations (k,) [m] from straight lines between the instants of intervals."""
         slack = some.bend * self.lasts(some) ** 2 / 8.0
-        steps = some.rows(whole)
-        slack[whole] = self.travel.slack(steps.pair, steps.start, steps.end)
+        steps = some.rows(in_steps)
+        slack[in_steps] = self.travel.slack(steps.pair, steps.start, steps.end)
         return slack
 
     def _bounded(self, pair: Index, at: Index) -> Array:

@@ -29,8 +29,8 @@ class PairIntervals:
     """Bound on the relative acceleration [m/s2] of both bodies, within a step."""
     floor: Array
     """Lower bound [m] of the gap within, by a plane between the bodies; -inf without one."""
-    tried: Mask
-    """Whether such a plane was tried."""
+    has_plane: Mask
+    """Whether such a plane was looked for."""
 
     @property
     def seen(self) -> Mask:
