@@ -29,10 +29,11 @@ from rapidsim.collisions.contact import BodyName
 from rapidsim.collisions.convex import ConvexParts
 from rapidsim.collisions.distance import distances
 from rapidsim.collisions.link_shapes import link_shapes
+from rapidsim.collisions.meshes.triangles import Triangles
 from rapidsim.collisions.overlap import TOUCH_M
 from rapidsim.collisions.scene import WORLD, Arm, AttachedBody, Body, Pair, Scene, SceneFrame
 from rapidsim.collisions.self_pairs import judged_pairs, link_frame, random_postures
-from rapidsim.collisions.shape import Shape
+from rapidsim.collisions.shape import Filling, Shape
 from rapidsim.frames.transform import Array, Transform
 from rapidsim.motion.robot.robot import Robot
 from rapidsim.motion.trajectory.samples import JointSamples
@@ -287,11 +288,12 @@ def sheet_error(robot: Robot, rng: np.random.Generator) -> float:
     return abs(first - float(times[touching.argmax()]))
 
 
-def graze_error(robot: Robot, rng: np.random.Generator) -> float:
+def graze_error(robot: Robot, rng: np.random.Generator, *, surface: bool = False) -> float:
     """How far [s] the contact with a wall is from the interval in which it is; inf if missed.
 
     All axes turn back at one instant, somewhere between two samples; there, and nowhere else, the
     tip of the flange, a ball of 2 mm, is 15 to 100 micrometres deep in the wall, for milliseconds.
+    The wall is a convex part, or a surface of triangles.
     """
     while True:
         middle = robot.lower + (0.3 + 0.4 * rng.random(6)) * (robot.upper - robot.lower)
@@ -317,6 +319,8 @@ def graze_error(robot: Robot, rng: np.random.Generator) -> float:
     place = Transform(turn, peak + (0.002 - depth + 0.01) * out)
     flange = SceneFrame(0, len(robot.joints) + 1)
     tip, wall = shape.sphere(0.002), shape.box(np.array([2.0, 2.0, 0.02]))
+    if surface:
+        wall = shape.of_mesh(Triangles(wall.vertices, wall.faces, closed=True), Filling.SURFACE)
     bodies = (
         Body(BodyName("tip", 0), tip, (AttachedBody(0.0, flange, Transform.identity()),)),
         Body(BodyName("wall"), wall, (AttachedBody(0.0, WORLD, place),)),
@@ -356,8 +360,14 @@ def main() -> None:
             print(name, arm_touches(load_robot(name), asked.count, asked.seed), flush=True)
     else:
         robot = load_robot("irb1600-6-1.2")
-        error = sheet_error if asked.what == "sheets" else graze_error
-        errors = np.array([error(robot, rng) for _ in range(asked.count)])
+        errors = np.array(
+            [
+                sheet_error(robot, rng)
+                if asked.what == "sheets"
+                else graze_error(robot, rng, surface=bool(number % 2))
+                for number in range(asked.count)
+            ]
+        )
         print(f"{asked.count} {asked.what}, {np.isinf(errors).sum()} missed, ", end="")
         print(f"contact time off by {1e3 * errors[np.isfinite(errors)].max():.3f} ms at most")
 

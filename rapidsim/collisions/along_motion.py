@@ -13,16 +13,16 @@ from dataclasses import replace
 
 import numpy as np
 
+from rapidsim.collisions.block_bounds import BlockBounds
 from rapidsim.collisions.body_distance import Bodies, Gaps
 from rapidsim.collisions.bounds_tree import first_of_each
 from rapidsim.collisions.contact import FARTHEST_M, Clearance, CollisionReport, Contact
 from rapidsim.collisions.convex import Index, Mask
-from rapidsim.collisions.intervals import PairIntervals, unseen
+from rapidsim.collisions.intervals import PairIntervals
 from rapidsim.collisions.nearest_parts import CLOSE_M
 from rapidsim.collisions.overlap import TOUCH_M
 from rapidsim.collisions.scene import SHORTEST_S, STEP_S, Scene
 from rapidsim.collisions.shape import is_inside
-from rapidsim.collisions.travel import LONGEST, Travel, straight
 from rapidsim.frames.transform import Array, Transform
 from rapidsim.repeated_rows import divided
 from rapidsim.values import value_class
@@ -35,8 +35,6 @@ _OF_TRAVEL, _OF_GAP = 0.1, 0.025
 """Tolerance of gaps of surfaces, as shares of the travel in an interval and of the gap."""
 _BLOCK = 2000
 """Number of instants in the first pass of a block."""
-_AT_ONCE = 100_000
-"""Number of pairs times instants whose bounds are computed at once."""
 _MOST_LOOKS = 400_000
 """Number of pairs times instants checked in a block before the search gives up."""
 _ROUND, _BEST = 400, 24
@@ -145,18 +143,16 @@ class _Search:
 
     def check_block(self, times: Array) -> None:
         """Check one block of instants (k,)."""
-        self._poses = self._scene.poses(times)
-        self._steps = len(times)
-        more = int(self._poses.moves.max()) + 1 - self._wanted.shape[1]
+        judged = np.flatnonzero((self._from < times[-1]) & (self._until > times[0]))
+        self._block = BlockBounds(self._scene, self._bodies, times, judged)
+        more = int(self._block.poses.moves.max()) + 1 - self._wanted.shape[1]
         if more > 0:
             wider = ((0, 0), (0, more))
             self._wanted = np.pad(self._wanted, wider, constant_values=FARTHEST_M)
             self._nearest = np.pad(self._nearest, wider, constant_values=FARTHEST_M)
-        judged = np.flatnonzero((self._from < times[-1]) & (self._until > times[0]))
-        self._travel = Travel(self._scene, self._bodies.bounds, self._poses, judged)
-        open_ones, looks = self._initial_intervals(judged), 0
+        open_ones, looks = self._block.initial_intervals(), 0
         while True:
-            least = self._least(open_ones)
+            least = self._block.least(open_ones)
             touches, nearer = self._matters(open_ones, least)
             keep = touches | nearer
             open_ones, least, touches = open_ones.rows(keep), least[keep], touches[keep]
@@ -166,12 +162,29 @@ class _Search:
             if looks > _MOST_LOOKS:
                 self._decided = False
                 return
-            halved = open_ones.seen | (self._many_moves(open_ones) & ~touches)
+            is_long = self._many_moves(open_ones) & ~touches
+            halved = open_ones.seen | is_long
             now = touches | halved | self._nearest_of_moves(open_ones, least)
+            parted = now & ~is_long & ~open_ones.has_plane & self._has_surfaces(open_ones.pair)
+            halved, measured = now & halved & ~parted, now & ~halved & ~parted
             open_ones = open_ones.rows(~now).and_also(
-                self._measured(open_ones.rows(now & ~halved)),
-                *self._halves(open_ones.rows(now & halved), least[now & halved]),
+                *self._parted(open_ones.rows(parted)),
+                self._measured(open_ones.rows(measured)),
+                *self._block.halves(open_ones.rows(halved), least[halved]),
             )
+
+    def _parted(self, some: PairIntervals) -> tuple[PairIntervals, ...]:
+        """Return what planes between surfaces leave open, halved and measured in the middle."""
+        if not len(some.pair):
+            return ()
+        some = self._block.parted(some)
+        touches, nearer = self._matters(some, self._block.least(some))
+        some = some.rows(touches | nearer)
+        halved = (some.floor > -np.inf) & self._block.several(some)
+        first, second = self._block.halves(some.rows(halved), some.floor[halved])
+        first = self._measured(first, start=False)
+        second = replace(second, gap_start=first.gap_end, seen_start=first.seen_end)
+        return some.rows(~halved), first, second
 
     def check_enclosed(self) -> None:
         """Find bodies that start inside a hollow body, whose surface they need not touch."""
@@ -190,84 +203,39 @@ class _Search:
                     world = poses.of(one).apply(centre[one])[0]
                     self._touch.setdefault((number, move), _Touch(0.0, world))
 
-    def _initial_intervals(self, pairs: Index) -> PairIntervals:
-        """Return the longest intervals of pairs that bounds of the bodies leave undecided."""
-        nodes: Index = np.unique(np.append(np.arange(0, self._steps, LONGEST), self._steps - 1))
-        start, end = np.arange(len(nodes) - 1), np.arange(1, len(nodes))
-        some = max(1, _AT_ONCE // len(nodes))
-        found = []
-        for begin in range(0, max(1, len(pairs)), some):
-            pair = pairs[begin : begin + some]
-            every = np.repeat(pair, len(nodes)), np.tile(nodes, len(pair))
-            near = self._bounded(*every).reshape(len(pair), len(nodes))
-            each, at = np.repeat(pair, len(start)), np.tile(start, len(pair))
-            stretches = unseen(
-                each,
-                nodes[at],
-                nodes[np.tile(end, len(pair))],
-                near[:, :-1].reshape(-1),
-                near[:, 1:].reshape(-1),
-            )
-            wanted = np.where(self._touch_only[each], -TOUCH_M, FARTHEST_M)
-            found.append(stretches.rows(self._least(stretches) < wanted))
-        return found[0].and_also(*found[1:])
-
-    def _bounded(self, pair: Index, at: Index) -> Array:
-        """Return lower bounds of the gaps of pairs (k,) at instants (k,) by bounding volumes."""
-        first, second = self._first[pair], self._second[pair]
-        return self._bodies.bounds.gaps(first, second, self._seen(pair, at))
-
-    def _seen(self, pair: Index, at: Index) -> Transform:
-        """Return second_from_first of pairs (k,) at instants (k,)."""
-        return self._poses.seen(self._first[pair], self._second[pair], at)
-
-    def _least(self, some: PairIntervals) -> Array:
-        """Return lower bounds (k,) [m] of the gaps within intervals."""
-        way, slack = np.empty((2, len(some.pair)))
-        whole = (some.start < self._steps) & (some.end < self._steps)
-        steps, parts = some.rows(whole), some.rows(~whole)
-        way[whole], slack[whole] = self._travel.between(steps.pair, steps.start, steps.end)
-        if len(parts.pair):
-            seen = (self._seen(parts.pair, at) for at in (parts.start, parts.end))
-            way[~whole] = straight(self._bodies.bounds, self._first[parts.pair], *seen)
-            slack[~whole] = parts.bend * self._lasts(parts) ** 2 / 8.0
-        least: Array = 0.5 * (some.gap_start + some.gap_end - way) - slack
-        return least
-
-    def _lasts(self, some: PairIntervals) -> Array:
-        times = self._poses.times
-        lasts: Array = times[some.end] - times[some.start]
-        return lasts
-
     def _moves(self, some: PairIntervals) -> tuple[Index, Index, Index]:
         """Return the robots that own intervals (k,), and the moves at their starts and ends."""
-        owner, moves = self._owner[some.pair], self._poses.moves
+        owner, moves = self._owner[some.pair], self._block.poses.moves
         return owner, moves[some.start, owner], moves[some.end, owner]
 
     def _many_moves(self, some: PairIntervals) -> Mask:
         """Mask of intervals with several steps and moves."""
         _, before, after = self._moves(some)
-        several = (some.start < self._steps) & (some.end < self._steps)
-        several &= (some.end - some.start > 1) & (before != after)
+        several: Mask = self._block.several(some) & (before != after)
         return several
+
+    def _has_surfaces(self, pair: Index) -> Mask:
+        return self._bodies.has_surfaces(self._first[pair], self._second[pair])
 
     def _matters(self, some: PairIntervals, least: Array) -> tuple[Mask, Mask]:
         """Masks of intervals that may contain a new contact, and a new nearest point of a move."""
         owner, before, after = self._moves(some)
         touches = least < -TOUCH_M
-        long = (self._lasts(some) > SHORTEST_S) | ~some.seen
+        long = (self._block.lasts(some) > SHORTEST_S) | ~some.seen
         of_moves = [
-            np.where(self._travel.stirs(some.pair, owner, move), self._wanted[owner, move], -np.inf)
+            np.where(
+                self._block.travel.stirs(some.pair, owner, move), self._wanted[owner, move], -np.inf
+            )
             for move in (before, after)
         ]
         wanted = np.maximum(*of_moves)
         wanted[self._many_moves(some)] = FARTHEST_M
         nearer = ~self._touch_only[some.pair] & (least < wanted)
         if self._touch:
-            over = self._poses.times[some.start] >= self._touched(some.pair, after)
+            over = self._block.poses.times[some.start] >= self._touched(some.pair, after)
             touches &= ~over
             nearer &= ~over
-        times, pair = self._poses.times, some.pair
+        times, pair = self._block.poses.times, some.pair
         long &= (times[some.start] < self._until[pair]) & (times[some.end] > self._from[pair])
         return touches & long, nearer & long
 
@@ -288,36 +256,37 @@ class _Search:
         count = int(np.clip(_ROUND // max(1, len(np.unique(key))), 1, _BEST))
         return first_of_each(key, least, count)
 
-    def _measured(self, some: PairIntervals) -> PairIntervals:
-        """Measure the ends of intervals, as far as they are relevant."""
+    def _measured(self, some: PairIntervals, *, start: bool = True) -> PairIntervals:
+        """Measure the ends of intervals, or only the later ones, as far as they are relevant."""
         if not len(some.pair):
             return some
-        owner, before, after = self._moves(some)
-        wanted = np.maximum(self._nearest[owner, before], self._nearest[owner, after])
+        owner, *moves = self._moves(some)
+        wanted = np.maximum(*(self._nearest[owner, move] for move in moves))
         wanted[self._touch_only[some.pair]] = 0.0
         # The bound for a gap that is not measured must not leave the interval undecided.
-        least = self._least(some)
-        way = some.gap_start + some.gap_end - 2.0 * least
-        enough = wanted + way + TOUCH_M
-        todo = np.concatenate([~some.seen_start, ~some.seen_end])
+        way = self._block.approach(some)
+        enough = wanted + way * start + TOUCH_M
+        before = ~some.seen_start if start else np.zeros_like(some.seen_start)
+        todo = np.concatenate([before, ~some.seen_end])
         pair = np.concatenate([some.pair, some.pair])[todo]
         at = np.concatenate([some.start, some.end])[todo]
         limit = np.concatenate([enough, enough])[todo]
-        key = pair * len(self._poses.times) + at
+        key = pair * len(self._block.poses.times) + at
         distinct, firsts, back = np.unique(key, return_index=True, return_inverse=True)
         widest, longest = np.zeros((2, len(distinct)))
         np.maximum.at(widest, back, limit)
         np.maximum.at(longest, back, np.concatenate([way, way])[todo])
         pair, at = pair[firsts], at[firsts]
-        gaps = self._gaps(pair, at, widest, longest)
+        gaps = self._gaps(pair, at, widest, longest * start)
         self._note(pair, at, gaps.distances_found, gaps.point)
         touching = np.isfinite(gaps.distances_found) & (gaps.distances_found <= 0.0)
         known = np.where(touching, gaps.distances_found, gaps.least)
         values = np.concatenate([some.gap_start, some.gap_end])
         values[todo] = known[back]
         begin, end = np.split(values, 2)
-        yes = np.ones(len(some.pair), dtype=np.bool_)
-        return replace(some, gap_start=begin, gap_end=end, seen_start=yes, seen_end=yes)
+        yes = np.ones_like(some.seen_end)
+        seen_start = some.seen_start | before
+        return replace(some, gap_start=begin, gap_end=end, seen_start=seen_start, seen_end=yes)
 
     def _gaps(self, pair: Index, at: Index, enough: Array, travel: Array) -> Gaps:
         """Return the gaps of pairs (k,) at instants (k,).
@@ -326,13 +295,13 @@ class _Search:
         share of the travel in an interval hardly matters for the interval.
         """
         first, second = self._first[pair], self._second[pair]
-        surfaces = self._bodies.has_surfaces(first, second)
+        surfaces = self._has_surfaces(pair)
         close = np.where(surfaces, np.maximum(_OF_TRAVEL * travel, CLOSE_M), CLOSE_M)
-        return self._bodies.gaps(first, second, self._seen(pair, at), enough, close, _OF_GAP)
+        return self._bodies.gaps(first, second, self._block.seen(pair, at), enough, close, _OF_GAP)
 
     def _note(self, pair: Index, at: Index, gap: Array, point: Array) -> None:
         """Record contacts and nearest points."""
-        poses, owner = self._poses, self._owner[pair]
+        poses, owner = self._block.poses, self._owner[pair]
         within = (poses.times[at] >= self._from[pair]) & (poses.times[at] <= self._until[pair])
         gap = np.where(within, gap, np.inf)
         move, times = poses.moves[at, owner], poses.times[at]
@@ -343,8 +312,8 @@ class _Search:
                 place = poses.of(int(self._second[pair[k]]))[int(at[k])].apply(point[k])
                 self._touch[int(pair[k]), int(move[k])] = _Touch(float(times[k]), place)
         nearer = ~self._touch_only[pair] & (gap < self._nearest[owner, move])
-        surfaces = self._bodies.has_surfaces(self._first[pair], self._second[pair])
-        news = np.flatnonzero(nearer & self._travel.stirs(pair, owner, move))
+        surfaces = self._has_surfaces(pair)
+        news = np.flatnonzero(nearer & self._block.travel.stirs(pair, owner, move))
         for k in news[_first_of(gap[news], owner[news], move[news])].tolist():
             place = poses.of(int(self._second[pair[k]]))[int(at[k])].apply(point[k])
             least = max(float(gap[k]), 0.0)
@@ -353,28 +322,6 @@ class _Search:
             self._nearest[owner[k], move[k]] = gap[k]
             tolerance = max(_NEARER_M, _NEARER * least) * (_OF_SURFACES if surfaces[k] else 1.0)
             self._wanted[owner[k], move[k]] = least - tolerance
-
-    def _halves(self, some: PairIntervals, least: Array) -> tuple[PairIntervals, ...]:
-        """Halve intervals; the gap in the middle is at least `least`."""
-        if not len(some.pair):
-            return ()
-        middle: Index = (some.start + some.end) // 2
-        within = (some.end - some.start == 1) | (np.maximum(some.start, some.end) >= self._steps)
-        bend = some.bend.copy()
-        if within.any():
-            times, first = self._poses.times, within & (some.end < self._steps)
-            first &= some.start < self._steps
-            bend[first] = self._travel.bend(some.pair[first], some.start[first])
-            instants = 0.5 * (times[some.start[within]] + times[some.end[within]])
-            distinct, place = np.unique(instants, return_inverse=True)
-            middle[within] = len(times) + place
-            self._poses = self._poses.and_also(self._scene.poses(distinct))
-        near = np.maximum(least, self._bounded(some.pair, middle))
-        no = np.zeros(len(near), dtype=np.bool_)
-        return (
-            replace(some, end=middle, gap_end=near, seen_end=no, bend=bend),
-            replace(some, start=middle, gap_start=near, seen_start=no, bend=bend),
-        )
 
     def result(self) -> CollisionReport:
         """Return all contacts and clearances."""

@@ -25,6 +25,9 @@ from rapidsim.collisions.shape import Shape
 from rapidsim.frames.transform import Array, Transform
 from rapidsim.values import value_class
 
+_OF_NORMALS_M, _OF_NORMALS = 1e-4, 0.01
+"""Tolerances of the distances that give normals of planes, absolute [m] and relative."""
+
 
 @value_class(frozen=True, slots=True, eq=False)
 class Gaps:
@@ -107,6 +110,40 @@ class Bodies:
         search.least[rows] = np.maximum(search.least[rows], hulls.least)
         disjoint = (hulls.least > 0.0) & (hulls.least < search.limit[rows])
         search.slide(roots.rows(disjoint), hulls.first[disjoint], hulls.second[disjoint])
+
+    def normals_between(self, first: Index, second: Index, second_from_first: Transform) -> Array:
+        """Return normals (k, 3) of planes between surfaces, toward the first; 0 if there is none.
+
+        Args:
+            first: Indices of the first bodies (k,), one of each pair with surfaces of triangles.
+            second: Indices of the second bodies (k,), in whose frames the normals are.
+            second_from_first: Poses of the first bodies (k,).
+        """
+        a, b = self._shape[first], self._shape[second]
+        return distances(
+            self._hulls, a, b, second_from_first, close=_OF_NORMALS_M, share=_OF_NORMALS
+        ).direction
+
+    def spaces(
+        self, first: Index, second: Index, row: Index, second_from_first: Transform, normal: Array
+    ) -> Array:
+        """Return spaces (n,) [m] between planes around surfaces; negative if they overlap.
+
+        Args:
+            first: Indices of the first bodies (k,), one of each pair with surfaces of triangles.
+            second: Indices of the second bodies (k,).
+            row: Pairs (n,) to which the poses belong.
+            second_from_first: Poses of the first bodies (n,).
+            normal: Normals (k, 3) of the planes, toward the first body.
+        """
+        a, b = self._shape[first], self._shape[second]
+        top = np.einsum("kj,kj->k", self._hulls.farthest(b, normal), normal)
+        top += self._hulls.radius[a] + self._hulls.radius[b]
+        turned = np.einsum("kji,kj->ki", second_from_first.rotation, normal[row])
+        bottom = np.einsum("kj,kj->k", self._hulls.farthest(a[row], -turned), turned)
+        bottom += np.einsum("kj,kj->k", second_from_first.translation, normal[row])
+        spaces: Array = bottom - top[row]
+        return spaces
 
     def has_surfaces(self, first: Index, second: Index) -> Mask:
         """Mask of pairs of bodies (k,) that have surfaces of triangles."""

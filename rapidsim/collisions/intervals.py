@@ -27,6 +27,10 @@ class PairIntervals:
     """Whether the gap was measured as far as it is relevant."""
     bend: Array
     """Bound on the relative acceleration [m/s2] of both bodies, within a step."""
+    floor: Array
+    """Lower bound [m] of the gap within, by a plane between the bodies; -inf without one."""
+    has_plane: Mask
+    """Whether such a plane was looked for."""
 
     @property
     def seen(self) -> Mask:
@@ -51,5 +55,6 @@ def unseen(
     pair: Index, start: Index, end: Index, gap_start: Array, gap_end: Array
 ) -> PairIntervals:
     """Return intervals whose ends have not been measured."""
-    no = np.zeros(len(pair), dtype=np.bool_)
-    return PairIntervals(pair, start, end, gap_start, gap_end, no, no.copy(), np.zeros(len(pair)))
+    count = len(pair)
+    no, bend, floor = np.zeros(count, dtype=np.bool_), np.zeros(count), np.full(count, -np.inf)
+    return PairIntervals(pair, start, end, gap_start, gap_end, no, no, bend, floor, no)

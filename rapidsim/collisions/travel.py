@@ -70,14 +70,19 @@ class Travel:
             here[:] = below
             np.maximum(here[:-half], below[half:], out=here[:-half])
 
-    def between(self, pair: Index, start: Index, end: Index) -> tuple[Array, Array]:
-        """Return distances (k,) [m] that pairs move between instants, and deviations from lines."""
+    def between(self, pair: Index, start: Index, end: Index) -> Array:
+        """Return distances (k,) [m] that pairs move between instants."""
         column = self._column[pair]
-        level = np.log2(end - start + 0.5).astype(np.int64)
-        slack = np.maximum(
+        moved: Array = self._way[end, column] - self._way[start, column]
+        return moved
+
+    def slack(self, pair: Index, start: Index, end: Index) -> Array:
+        """Return the largest deviations (k,) [m] from lines in the steps between instants."""
+        column, level = self._column[pair], np.log2(end - start + 0.5).astype(np.int64)
+        slack: Array = np.maximum(
             self._slacks[level, start, column], self._slacks[level, end - 2**level, column]
         )
-        return self._way[end, column] - self._way[start, column], slack
+        return slack
 
     def stirs(self, pair: Index, owner: Index, move: Index) -> npt.NDArray[np.bool_]:
         """Mask of pairs (k,) whose bodies move against each other in moves of robots."""

@@ -73,11 +73,12 @@ def test_no_gap_between_instants_is_below_its_bound() -> None:
         bodies, poses = scene.shapes(), scene.poses(times)
         travel = Travel(scene, bodies.bounds, poses, pair)
         steps = np.arange(len(times) - 1)
-        _, slacks = travel.between(0 * steps, steps, steps + 1)
+        slacks = travel.slack(0 * steps, steps, steps + 1)
         for length in (1, 2, 5, LONGEST):
             start = int(rng.integers(max(1, len(times) - length - 1)))
             end = min(start + length, len(times) - 1)
-            way, slack = travel.between(pair, pair + start, pair + end)
+            way = travel.between(pair, pair + start, pair + end)
+            slack = travel.slack(pair, pair + start, pair + end)
             assert slack[0] == slacks[start:end].max()
             dense = np.linspace(times[start], times[end], 60)
             row = np.zeros(len(dense), dtype=np.int64)
@@ -102,9 +103,10 @@ def test_bounds_of_travel_are_no_larger_than_need_be() -> None:
     travel = Travel(scene, bodies.bounds, poses, pair)
     centre = poses.of(0).apply(bodies.bounds.centre[0])[0]
     reach = float(np.hypot(*centre[:2]) + bodies.bounds.bound[0])
-    way, slack = travel.between(pair, pair + 3, pair + 11)
+    way = travel.between(pair, pair + 3, pair + 11)
     assert way[0] == pytest.approx(8 * rate * STEP_S * reach, rel=1e-3)
     assert travel.bend(pair, pair + 5)[0] == pytest.approx(2.1 * rate**2 * reach, rel=1e-3)
+    slack = travel.slack(pair, pair + 3, pair + 11)
     assert slack[0] == pytest.approx(2.1 * rate**2 * reach * STEP_S**2 / 8.0, rel=1e-3)
 
 

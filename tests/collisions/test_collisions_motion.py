@@ -7,6 +7,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from castings import ring
 from collision_truths import graze_error, sheet_error, swing
 from laws import cases
 
@@ -24,6 +25,7 @@ from rapidsim.collisions.scene import (
     Scene,
     SceneFrame,
 )
+from rapidsim.collisions.shape import Filling, Shape
 from rapidsim.frames.transform import Array, Transform
 from rapidsim.motion.trajectory.samples import JointSamples
 
@@ -36,18 +38,26 @@ def test_a_sheet_is_found_at_any_speed_and_in_time() -> None:
     assert max(sheet_error(ROBOT, rng) for _ in range(cases(40))) < 1e-4
 
 
-def test_a_contact_between_any_two_samples_is_found_while_it_lasts() -> None:
+@pytest.mark.parametrize("surface", [False, True], ids=["part", "surface"])
+def test_a_contact_between_any_two_samples_is_found_while_it_lasts(*, surface: bool) -> None:
     """The bound of what may happen in between rests on the square of the time."""
     rng = np.random.default_rng(9)
-    assert max(graze_error(ROBOT, rng) for _ in range(cases(200))) < 1e-4
+    assert max(graze_error(ROBOT, rng, surface=surface) for _ in range(cases(200))) < 1e-4
 
 
-def test_the_nearest_of_each_move_is_what_looking_all_the_time_finds() -> None:
+@pytest.mark.parametrize(
+    ("tool", "accuracy"),
+    [(shape.capsule(0.03, 0.1), 1.0), (shape.of_mesh(ring(600), Filling.SURFACE), 2.5)],
+    ids=["part", "surface"],
+)
+def test_the_nearest_of_each_move_is_what_looking_all_the_time_finds(
+    tool: Shape, accuracy: float
+) -> None:
     """Among boxes, in moves that are shorter than a step of the first look."""
     rng = np.random.default_rng(11)
     tip = Body(
         BodyName("tip", 0),
-        shape.capsule(0.03, 0.1),
+        tool,
         (AttachedBody(0.0, FLANGE, Transform.identity()),),
     )
     boxes = [
@@ -91,5 +101,5 @@ def test_the_nearest_of_each_move_is_what_looking_all_the_time_finds() -> None:
             np.minimum.at(nearest, poses.moves[:, 0], np.maximum(gaps.distances_found, 0.0))
         for move in np.flatnonzero(nearest < 0.49).tolist():
             (known,) = [one for one in found.clearances if one.move == move]
-            exact = max(5e-4, 0.02 * nearest[move])
+            exact = accuracy * max(5e-4, 0.02 * nearest[move])
             assert known.distance_m == pytest.approx(nearest[move], abs=exact + 1e-3)
