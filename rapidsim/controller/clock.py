@@ -24,11 +24,7 @@ from rapidsim.controller.event_source import EventSource
 from rapidsim.controller.interrupt_table import InterruptTable
 from rapidsim.controller.journal.events import CUT_OFF, THE_TIME, EventKind, Wait
 from rapidsim.controller.journal.journal import Instant, Journal, Moment
-from rapidsim.controller.journal.stop_reasons import (
-    PollsForever,
-    TimeLimitReached,
-    WaitsForever,
-)
+from rapidsim.controller.journal.stop_reasons import PollsForever, TimeLimitReached, WaitsForever
 from rapidsim.controller.moves.executed_move import CornerKind
 from rapidsim.controller.pointer_time import BACKGROUND_TICK_S, PointerTime
 from rapidsim.controller.queue.mechanical_unit import MechanicalUnit
@@ -98,6 +94,11 @@ class TaskClock:
     def watches(self) -> bool:
         """Whether an interrupt waits for a change of a persistent."""
         return self._table.watches
+
+    @property
+    def needs_service(self) -> bool:
+        """Whether a statement has to wait for something even if its time is unknown."""
+        return self.watches or self._failure is not None
 
     @property
     def is_known(self) -> bool:
@@ -227,8 +228,7 @@ class TaskClock:
 
     def pointer_s(self) -> float:
         """Time [s] of the program pointer, or when its robot's path ends if unknown."""
-        known = self._time.is_known
-        return self._time.known_s if known else self._unit.trajectory.command_end
+        return self._time.known_s if self._time.is_known else self._unit.trajectory.command_end
 
     def is_compute_bound(self) -> bool:
         """Whether the program has computed for so long that it affects the path."""

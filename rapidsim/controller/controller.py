@@ -108,7 +108,9 @@ def virtual_controller(
     own = clock, unit, cell, resolver, table, marks, watched, journal, state, interrupts
     moves = TaskMoves(*own, synchronisation, belts)
     triggers = Triggers(clock, unit, cell, marks, interrupts, speeds)
-    motion = TaskMotion(clock, unit, cell, resolver, state, triggers, moves.put, reader)
+    motion = TaskMotion(
+        clock, unit, cell, resolver, state, triggers, moves.put, moves.repeat, reader
+    )
     own_queue = cell.messages.open_for(journal.task, queue or QueueSettings())
     sockets = TaskSockets(clock, cell, journal)
     files = FileAccess(clock, cell)

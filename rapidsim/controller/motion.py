@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
@@ -37,6 +38,7 @@ class TaskMotion:
     state: MotionState
     triggers: Triggers
     put: EnqueueMove
+    again: Callable[[AnnouncedTargets, int], int]
     reader: PositionReader
 
     @property
@@ -60,6 +62,10 @@ class TaskMotion:
     def expect(self, targets: AnnouncedTargets) -> None:
         """Announce the targets of the next moves."""
         self.resolver.expected.expect(targets)
+
+    def repeat(self, targets: AnnouncedTargets, number: int) -> int:
+        """Make moves to announced targets, from a number on, like the last one."""
+        return self.again(targets, number)
 
     def current_joints(self) -> JointTarget:
         """Current positions of the axes."""

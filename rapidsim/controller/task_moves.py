@@ -27,7 +27,7 @@ from rapidsim.findings.ramps import RampWaits
 from rapidsim.language.error_log import CORNER_PATH_FAILURE
 from rapidsim.language.error_numbers import ERR_CONC_MAX, rapid_error
 from rapidsim.language.errors import NotAllowed
-from rapidsim.language.moves import Move, SensorInfluence
+from rapidsim.language.moves import AnnouncedTargets, Move, SensorInfluence
 from rapidsim.values import value_class
 
 _NO_OTHER_LIMITS = "robots that move together keep the limits of their axes and of their TCPs alone"
@@ -99,14 +99,44 @@ class TaskMoves:
             self._wait_for_stop(move)
             return
         self.clock.follow(queued.started)
-        if (
+        if self._may_interrupt or self.unit.queue.open_moves > MAX_OPEN_MOVES:
+            self.keep_up()
+
+    @property
+    def _may_interrupt(self) -> bool:
+        """Whether something may happen between two moves for which the path has to be known."""
+        return (
             self.table.armed
             or self.cell.has_clients
             or self.zones.is_watching
             or self.marks.may_interrupt
-            or self.unit.queue.open_moves > MAX_OPEN_MOVES
-        ):
-            self.keep_up()
+        )
+
+    def repeat(self, targets: AnnouncedTargets, number: int) -> int:
+        """Make announced moves like the last one at once; see `Motion.repeat`.
+
+        It had no remark, neither have they: only their targets differ, and these are plain.
+        """
+        queue, expected, journal = self.unit.queue, self.resolver.expected, self.journal
+        is_remarkable = expected.remarks != journal.remarks
+        expected.remarks = journal.remarks
+        is_alone = self.unit.team is None and queue.is_open and not queue.is_halted
+        if is_remarkable or self._may_interrupt or self.interrupts.in_trap or not is_alone:
+            return 0
+        last = self.unit.moves[-1]
+        is_at_once = not self.clock.needs_service and not self.clock.moment().offset_s
+        if not is_at_once or last.corner is not CornerKind.FLY_BY or last.started.time is not None:
+            return 0
+        moves = expected.more(last, MAX_OPEN_MOVES - queue.open_moves)
+        if moves:
+            self.cell.watchdog.check()
+            journal.rows([last.started, *(one.started for one in moves[:-1])], targets, number)
+            queue.extend(moves)
+            journal.moves_given = len(self.unit.moves)
+            self.clock.effect_count += len(moves)
+            self.clock.place = moves[-1].place
+            self.clock.follow(moves[-1].started)
+        return len(moves)
 
     def _append(self, move: Move) -> QueuedMove:
         """Resolve a move and append it, in a team when the other tasks have submitted theirs."""

@@ -162,6 +162,14 @@ class Motion(Protocol):
         """Announce the targets of the next moves, which probably differ in nothing else."""
         ...
 
+    def repeat(self, targets: AnnouncedTargets, number: int) -> int:
+        """Make moves to announced targets, from a number on, like the last one.
+
+        Returns:
+            How many it makes: as many as nothing can come between; often none.
+        """
+        ...
+
     def current_joints(self) -> JointTarget:
         """Current positions of the axes."""
         ...

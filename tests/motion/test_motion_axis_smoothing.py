@@ -185,3 +185,21 @@ def test_smoothing_each_axis_needs_no_slower_bends() -> None:
     assert not isinstance(kept, PathFault)
     assert not isinstance(plain, PathFault)
     assert plan(kept, LIMITS).duration == plan(plain, LIMITS).duration
+
+
+def test_coarse_samples_follow_a_command_that_changes() -> None:
+    trajectory = corner(0.2, 10.0)
+    times = np.linspace(-0.1, trajectory.duration + 0.5, 300)
+
+    def off() -> float:
+        quick, exact = trajectory.at(times, coarse=True), trajectory.at(times)
+        return float(np.abs(quick.joints - exact.joints).max())
+
+    assert off() < QUICK_RAD
+    trajectory.cut(0.5 * trajectory.duration)
+    # The command now stops at once, which the quick way shows less exactly.
+    assert off() < 10.0 * QUICK_RAD
+    (piece,) = trajectory.pieces
+    start_s = trajectory.duration + 0.1
+    trajectory.append(replace(piece, start_time=start_s, from_s=piece.to_s, to_s=piece.path.length))
+    assert off() < 10.0 * QUICK_RAD

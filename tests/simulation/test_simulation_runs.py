@@ -2,7 +2,7 @@
 
 import random
 import re
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from pathlib import Path
 from typing import Any
 from unittest.mock import patch
@@ -100,12 +100,18 @@ def test_moves_are_executed_as_runs(form: str, tmp_path: Path) -> None:
 
 
 def test_moves_of_a_run_are_resolved_as_rows(tmp_path: Path) -> None:
-    real = ExpectedLines.take
+    real, real_more = ExpectedLines.take, ExpectedLines.more
     rows: list[bool] = []
+    together: list[int] = []
 
     def take(self: ExpectedLines, *of: Any) -> QueuedMove | None:
         queued = real(self, *of)
         rows.append(queued is not None)
+        return queued
+
+    def more(self: ExpectedLines, *of: Any) -> Sequence[QueuedMove]:
+        queued = real_more(self, *of)
+        together.append(len(queued))
         return queued
 
     # One turns axis 1 so far that it is no short line, nor is the way back from there.
@@ -113,10 +119,12 @@ def test_moves_of_a_run_are_resolved_as_rows(tmp_path: Path) -> None:
     far = text.split("\n")[10]
     lines = export("inline", "raster", 50).split("\n")
     text = "\n".join([*lines[:24], far, *lines[25:]])
-    with patch.object(ExpectedLines, "take", take):
+    with patch.object(ExpectedLines, "take", take), patch.object(ExpectedLines, "more", more):
         _assert_the_same(text, tmp_path)
     assert rows.index(True) == 1
-    assert sum(rows) > 40
+    # The moves after each are made together with it, as far as they are rows of the same arrays.
+    assert sum(together) > 30
+    assert sum(rows) + sum(together) > 40
     assert 0 < rows[1:].count(False) < 4
 
 
@@ -225,6 +233,7 @@ def test_interrupts_between_the_moves_of_a_run(body: str, tmp_path: Path) -> Non
         ("MoveL ", "MoveL\\Conc,"),
         ("v200", "v200\\V:=50+reg1"),
         ("v200", "v7000\\T:=0.02"),
+        ("\\WObj:=wobj0", "\\WObj:=wobj0\\TLoad:=load0"),
     ],
 )
 def test_other_programs(old: str, new: str, tmp_path: Path) -> None:

@@ -19,7 +19,7 @@ DatedPlace: TypeAlias = tuple[float, Place]
 
 
 @value_class(frozen=True, slots=True, eq=False)
-class _Rows(Sequence[DatedPlace]):
+class DatedRows(Sequence[DatedPlace]):
     """Successive statements (k,) with announced targets."""
 
     times: Array
@@ -49,7 +49,7 @@ def in_parts(lines: Sequence[DatedPlace]) -> Iterator[Sequence[DatedPlace]]:
             continue
         row, part = lines[begin][1].row, lines[begin:end]
         times = np.array([time_s for time_s, _ in part])
-        yield part if row is None else _Rows(times, row.targets, row.number)
+        yield part if row is None else DatedRows(times, row.targets, row.number)
         begin = end
 
 
@@ -70,7 +70,7 @@ class ExecutedLines(Sequence[ExecutedLine]):
         self._task, self._parts = task, tuple(part for part in parts if len(part))
         self._begins = list(accumulate(map(len, self._parts), initial=0))
         columns = [
-            part.times if isinstance(part, _Rows) else np.array([time_s for time_s, _ in part])
+            part.times if isinstance(part, DatedRows) else np.array([time_s for time_s, _ in part])
             for part in self._parts
         ]
         times = np.concatenate([np.zeros(0), *columns])

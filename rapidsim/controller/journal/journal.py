@@ -10,6 +10,9 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import field, replace
+from typing import NamedTuple
+
+import numpy as np
 
 from rapidsim.controller.journal.events import (
     ErrorTally,
@@ -18,14 +21,19 @@ from rapidsim.controller.journal.events import (
     Unsimulated,
     Wait,
 )
-from rapidsim.controller.journal.executed_lines import DatedPlace, ExecutedLines, in_parts
+from rapidsim.controller.journal.executed_lines import (
+    DatedPlace,
+    DatedRows,
+    ExecutedLines,
+    in_parts,
+)
 from rapidsim.controller.journal.failed_moves import FailedMove
 from rapidsim.controller.journal.stop_reasons import EventLimitReached
 from rapidsim.diagnostics import Diagnostic, Violation
 from rapidsim.findings.runs import AcceptedWithoutEffect, RoutineNotSimulated
 from rapidsim.language.controller import ACCEPTED
 from rapidsim.language.error_answers import AnsweredError, answer_text, error_facts
-from rapidsim.language.moves import Place
+from rapidsim.language.moves import AnnouncedTargets, Place
 from rapidsim.values import value_class
 
 MOST_EVENTS = 1_000_000
@@ -67,6 +75,47 @@ class Moment:
     def earliest_s(self) -> float:
         """Virtual time [s]; minus infinity if the instant is unknown."""
         return self.time_s if self.is_known else -math.inf
+
+
+@value_class(frozen=True, slots=True, eq=False)
+class _Rows:
+    """Successive statements with announced targets, reached at instants that follow each other."""
+
+    instants: Sequence[Instant]
+    targets: AnnouncedTargets
+    first: int
+
+    @property
+    def size(self) -> int:
+        """Number of statements."""
+        return len(self.instants)
+
+    @property
+    def has_time(self) -> bool:
+        """Whether the times of all are known."""
+        return self.instants[-1].time is not None
+
+    def part(self) -> Sequence[DatedPlace]:
+        """Return those whose times are known."""
+        times = [one.time for one in self.instants if one.time is not None]
+        return DatedRows(np.array(times), self.targets, self.first)
+
+
+class _Line(NamedTuple):
+    """A statement."""
+
+    moment: Moment
+    place: Place
+
+    @property
+    def size(self) -> int:
+        """Number of statements."""
+        return 1
+
+    @property
+    def has_time(self) -> bool:
+        """Whether its time is known."""
+        return self.moment.is_known
 
 
 @value_class(frozen=True, slots=True)
@@ -113,7 +162,7 @@ class Journal:
     moves_given: int = 0
     """Number of moves that the task's robot has got."""
     _events: list[_Entry] = field(default_factory=list)
-    _lines: list[tuple[Moment, Place]] = field(default_factory=list)
+    _lines: list[_Line | _Rows] = field(default_factory=list)
     _settled: list[Sequence[DatedPlace]] = field(default_factory=list)
     """Statements before these, in parts."""
     _settled_lines: int = 0
@@ -139,7 +188,7 @@ class Journal:
     @property
     def noted(self) -> int:
         """The number of events of the cell and statements of this task so far."""
-        return len(self._events) + self._settled_lines + len(self._lines)
+        return len(self._events) + self._settled_lines + sum(one.size for one in self._lines)
 
     def undated(self, begin: int) -> tuple[Event, ...]:
         """The events of the cell from a position on; their times may be unknown, and are NaN."""
@@ -221,19 +270,24 @@ class Journal:
 
     def line(self, moment: Moment, place: Place) -> None:
         """Record that the program pointer reached a statement."""
-        if self.retains_all and (not self._lines or self._lines[-1] != (moment, place)):
-            self._lines.append((moment, place))
+        line = _Line(moment, place)
+        if self.retains_all and (not self._lines or self._lines[-1] != line):
+            self._lines.append(line)
+
+    def rows(self, instants: Sequence[Instant], targets: AnnouncedTargets, first: int) -> None:
+        """Record that the pointer reached statements with announced targets, from a number on."""
+        if self.retains_all:
+            self._lines.append(_Rows(instants, targets, first))
 
     def settle(self) -> None:
         """Store many statements whose times are known as columns."""
         count = next(
-            (at for at, (moment, _) in enumerate(self._lines) if not moment.is_known),
-            len(self._lines) - 1,
+            (at for at, line in enumerate(self._lines) if not line.has_time), len(self._lines) - 1
         )
-        if count >= _MANY_LINES:
-            dated = [(moment.time_s, place) for moment, place in self._lines[:count]]
-            self._settled.extend(in_parts(dated))
-            self._settled_lines += count
+        size = sum(one.size for one in self._lines[:count])
+        if size >= _MANY_LINES:
+            self._settled += _parts_of(self._lines[:count])
+            self._settled_lines += size
             del self._lines[:count]
 
     def wait(self, wait: Wait) -> None:
@@ -302,8 +356,7 @@ class Journal:
 
     def lines(self) -> ExecutedLines:
         """All statements in order of time."""
-        dated = [(moment.time_s, place) for moment, place in self._lines if moment.is_known]
-        return ExecutedLines(self.task, [*self._settled, dated])
+        return ExecutedLines(self.task, [*self._settled, *_parts_of(self._lines)])
 
     def waits(self) -> tuple[Wait, ...]:
         """All waits of this task in order of their starts."""
@@ -333,3 +386,17 @@ def not_simulated_finding(name: str, treated_as: str, place: Place) -> Diagnosti
     """Finding for a routine that was called and not simulated, or accepted without effect."""
     kind = AcceptedWithoutEffect if treated_as.startswith(ACCEPTED) else RoutineNotSimulated
     return Diagnostic(kind(name, treated_as), place.span, routine=place.routine)
+
+
+def _parts_of(lines: Sequence[_Line | _Rows]) -> list[Sequence[DatedPlace]]:
+    """Return the statements whose times are known, in parts."""
+    parts: list[Sequence[DatedPlace]] = []
+    others: list[DatedPlace] = []
+    for line in lines:
+        if isinstance(line, _Line):
+            if line.has_time:
+                others.append((line.moment.time_s, line.place))
+            continue
+        parts += [*in_parts(others), line.part()]
+        others = []
+    return [*parts, *in_parts(others)]

@@ -29,7 +29,6 @@ from rapidsim.language.moves import (
     Interpolation,
     MotionSettings,
     Move,
-    Place,
     SensorInfluence,
 )
 from rapidsim.motion.configurations.confdata import confdata_of, has_branches
@@ -73,17 +72,18 @@ class ExpectedLines:
         """Start of the next row."""
         self._most = _FIRST_ROWS
         self._failures = 0
+        self.remarks = -1
+        """Number of remarks of the task after the last move."""
 
     def expect(self, targets: AnnouncedTargets) -> None:
         """Announce the targets of the next moves."""
         self._targets, self._count = targets, len(targets)
         self._next = self._failures = 0
-        self._rows = None
+        self._rows, self.remarks = None, -1
 
     def take(
         self,
         move: Move,
-        place: Place,
         start: Waypoint,
         settings: MotionSettings,
         placed_of: Callable[[Move], Placement],
@@ -104,8 +104,18 @@ class ExpectedLines:
                 if self._failures == _MOST_FAILURES:
                     self._next = self._count
                 return None
-        self._next += 1
-        return self._queued(self._rows, at, move, place, start, settings)
+        return self._queued(self._rows, at, 1)[0]
+
+    def more(self, last: QueuedMove, most: int) -> Sequence[QueuedMove]:
+        """Return announced moves after the last one, resolved: those of its rows, at most so many.
+
+        They have its parameters and settings.
+        """
+        rows, row = self._rows, last.row
+        at = self._next - self._first
+        if rows is None or row is None or row.rows is not rows or row.at != at - 1:
+            return ()
+        return self._queued(rows, at, max(0, min(most, len(rows) - at)))
 
     def learn(self, move: Move, settings: MotionSettings, segment: Segment) -> None:
         """Note an announced move that was resolved by itself, with its segment."""
@@ -116,30 +126,28 @@ class ExpectedLines:
             self._segment_of, self._branch = partial(Segment, **shared), segment.branch
             self._rows = None
 
-    def _queued(
-        self,
-        rows: LineRows,
-        at: int,
-        move: Move,
-        place: Place,
-        start: Waypoint,
-        settings: MotionSettings,
-    ) -> QueuedMove:
-        end = rows.end(at)
-        segment = rows.segment_of(start=start if at else rows.start, end=end)
-        self._from = end
-        return QueuedMove(
-            move,
-            place,
-            segment,
-            rows.conf(at),
-            Instant(),
-            CornerKind.STOP if segment.zone is None else CornerKind.FLY_BY,
-            end.base_from_tcp,
-            segment.tcp_from_flange,
-            settings.grip_load_kg,
-            LineRow(rows, at, segment),
-        )
+    def _queued(self, rows: LineRows, at: int, count: int) -> Sequence[QueuedMove]:
+        """Return the moves of some rows, the next ones."""
+        start = self._from if at and self._from is not None else rows.start
+        queued = []
+        for row in range(at, at + count):
+            end = rows.end(row)
+            segment = rows.segment_of(start=start, end=end)
+            queued.append(
+                QueuedMove(
+                    LineRow(rows, row, segment),
+                    segment,
+                    Instant(),
+                    CornerKind.STOP if segment.zone is None else CornerKind.FLY_BY,
+                    end.base_from_tcp,
+                    segment.tcp_from_flange,
+                    rows.grip_load_kg,
+                )
+            )
+            start = end
+        self._from = start
+        self._next += count
+        return queued
 
     def _rows_from(
         self, move: Move, start: Waypoint, settings: MotionSettings, placed: Placement

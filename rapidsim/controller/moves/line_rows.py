@@ -62,8 +62,28 @@ class LineRows:
 
 @value_class(frozen=True, slots=True, eq=False)
 class LineRow:
-    """One of these lines, and its segment."""
+    """One of these lines, and its segment; a `ResolvedMove`."""
 
     rows: LineRows
     at: int
     segment: Segment
+
+    @property
+    def move(self) -> Move:
+        """The move."""
+        return self.rows.move(self.at)
+
+    @property
+    def like(self) -> Move:
+        """A move that differs from it in its target alone."""
+        return self.rows.like
+
+    @property
+    def place(self) -> Place:
+        """Place of its statement."""
+        return self.rows.place(self.at)
+
+    @property
+    def conf(self) -> ConfData:
+        """Configuration at its end."""
+        return self.rows.conf(self.at)

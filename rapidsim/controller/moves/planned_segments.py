@@ -23,9 +23,7 @@ class PlannedSegments(Sequence[Segment]):
         self._now: tuple[Segment, ...] | None = tuple(queued.segment for queued in moves)
         self._count = len(moves)
         self._parts: list[Segment | tuple[LineRows, range]] = []
-        lines = [
-            one.line if one.line and one.line.segment is one.segment else None for one in moves
-        ]
+        lines = [one.row for one in moves]
         starts = [
             at
             for at, (before, line) in enumerate(pairwise([None, *lines]))

@@ -15,18 +15,32 @@ from rapidsim.language.data import ConfData, ToolData, WobjData
 from rapidsim.language.moves import Move, Place
 from rapidsim.motion.geometry.segments import Segment
 from rapidsim.motion.path.curve_following import PathFault
+from rapidsim.values import value_class
 
 _TOO_LATE = "the next move was not known when the robot reached the zone"
+
+
+@value_class(frozen=True, slots=True, eq=False)
+class ResolvedMove:
+    """A move with the configuration at its end."""
+
+    move: Move
+    place: Place
+    conf: ConfData
+
+    @property
+    def like(self) -> Move:
+        """The move."""
+        return self.move
 
 
 @dataclass(slots=True, eq=False)
 class QueuedMove:
     """A move on the path, with its planned and executed state."""
 
-    move: Move
-    place: Place
+    of: ResolvedMove | LineRow
+    """The move; its row, if it was resolved together with others."""
     segment: Segment
-    conf: ConfData
     started: Instant
     """Instant at which the robot starts the move, in command time."""
     corner: CornerKind
@@ -36,8 +50,6 @@ class QueuedMove:
     """Pose at the programmed end; with a stationary tool it changes along the move."""
     grip_load_kg: float = 0.0
     """Mass that the gripper holds, by GripLoad."""
-    line: LineRow | None = None
-    """Its row, if it was resolved together with others."""
     number: int = 0
     """Its number among all moves that the robot ever got."""
     level: int = 0
@@ -57,6 +69,27 @@ class QueuedMove:
     """Whether StopMove or a search stopped the robot during the move."""
 
     @property
+    def move(self) -> Move:
+        """The move as programmed."""
+        return self.of.move
+
+    @property
+    def place(self) -> Place:
+        """Place of its statement."""
+        return self.of.place
+
+    @property
+    def conf(self) -> ConfData:
+        """Configuration at the programmed end."""
+        return self.of.conf
+
+    @property
+    def row(self) -> LineRow | None:
+        """Its row, if that describes its segment; None for other moves."""
+        of = self.of
+        return of if isinstance(of, LineRow) and of.segment is self.segment else None
+
+    @property
     def joints(self) -> Array:
         """Joints (n,) [rad] at the programmed end."""
         return self.segment.end.joints
@@ -74,10 +107,8 @@ class QueuedMove:
     def again(self) -> QueuedMove:
         """Copy of the move without its state, to be made once more."""
         return QueuedMove(
-            self.move,
-            self.place,
+            self.of,
             self.segment,
-            self.conf,
             Instant(),
             CornerKind.STOP if self.segment.zone is None else CornerKind.FLY_BY,
             self.base_from_tcp,
@@ -124,7 +155,7 @@ def nominal_s(segment: Segment) -> float:
 
 def frames_of(queued: QueuedMove) -> tuple[ToolData, WobjData]:
     """Tool and work object; if they change, the corner path is joint interpolated."""
-    return queued.move.tool, queued.move.wobj
+    return queued.of.like.tool, queued.of.like.wobj
 
 
 class MotionError(Exception):

@@ -27,7 +27,7 @@ from rapidsim.controller.moves.move_request import (
     NotReachableError,
     target_name,
 )
-from rapidsim.controller.moves.queued_move import QueuedMove
+from rapidsim.controller.moves.queued_move import QueuedMove, ResolvedMove
 from rapidsim.controller.moves.segments import segments
 from rapidsim.controller.moves.target_checks import (
     check_orientation,
@@ -151,7 +151,7 @@ class Resolver:
             return self._resolved(move, place, start, settings, lead, is_first=is_first)
         if place.row is not None:
             place_move = partial(self._placement_of, place=place, lead=None)
-            row = self.expected.take(move, place, start, settings, place_move)
+            row = self.expected.take(move, start, settings, place_move)
             if row is not None:
                 return row
             queued = self._resolved(move, place, start, settings)
@@ -206,11 +206,10 @@ class Resolver:
         if segment.carrier is not None:
             base_from_tcp = placed.base_from_tcp(self.robot.kinematics, arrival.joints, external)
             tcp_from_flange = base_from_tcp.inverse() @ self.robot.forward(arrival.joints)
+        conf = ConfData(*map(float, arrival.confdata))
         return QueuedMove(
-            move,
-            place,
+            ResolvedMove(move, place, conf),
             segment,
-            ConfData(*map(float, arrival.confdata)),
             Instant(),
             CornerKind.STOP if segment.zone is None else CornerKind.FLY_BY,
             base_from_tcp,

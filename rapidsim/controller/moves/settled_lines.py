@@ -11,7 +11,7 @@ import numpy.typing as npt
 
 from rapidsim.controller.journal.journal import Instant
 from rapidsim.controller.moves.executed_move import CornerKind
-from rapidsim.controller.moves.line_rows import LineRows
+from rapidsim.controller.moves.line_rows import LineRow, LineRows
 from rapidsim.controller.moves.queued_move import QueuedMove
 from rapidsim.frames.transform import Array
 from rapidsim.language.moves import Move, Place
@@ -66,10 +66,8 @@ class SettledLines(Sequence[QueuedMove]):
         rows, row = self.rows, self.begin + range(len(self))[at]
         segment = rows.segment(row)
         return QueuedMove(
-            rows.move(row),
-            rows.place(row),
+            LineRow(rows, row, segment),
             segment,
-            rows.conf(row),
             Instant(float(self.started_s[at])),
             _KINDS[self.corner[at]],
             segment.end.base_from_tcp,
@@ -146,7 +144,7 @@ def _spans(moves: Sequence[QueuedMove]) -> Iterator[tuple[int, int]]:
 
 
 def _follows(before: QueuedMove, after: QueuedMove) -> bool:
-    one, other = before.line, after.line
+    one, other = before.row, after.row
     if one is None or other is None or one.rows is not other.rows or other.at != one.at + 1:
         return False
     return _is_as_resolved(before) and _is_as_resolved(after)
@@ -154,10 +152,8 @@ def _follows(before: QueuedMove, after: QueuedMove) -> bool:
 
 def _is_as_resolved(queued: QueuedMove) -> bool:
     """Whether the row and the columns describe a move that is over."""
-    line = queued.line
     return (
-        line is not None
-        and line.segment is queued.segment
+        queued.row is not None
         and queued.started.time is not None
         and queued.ended_s is not None
         and queued.command_start_s is None
@@ -166,16 +162,16 @@ def _is_as_resolved(queued: QueuedMove) -> bool:
 
 
 def _columns(moves: Sequence[QueuedMove]) -> SettledLines:
-    first = moves[0]
-    assert first.line is not None
+    first, row = moves[0], moves[0].row
+    assert row is not None
     numbers: dict[str, int] = {}
 
     def column(name: str) -> Array:
         return np.array(list(map(attrgetter(name), moves)), dtype=np.float64)
 
     return SettledLines(
-        first.line.rows,
-        first.line.at,
+        row.rows,
+        row.at,
         first.number,
         first.level,
         column("started.time"),

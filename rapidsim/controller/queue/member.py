@@ -105,6 +105,13 @@ class Member:
         """Whether a belt takes the robot along at the end of its fixed motion."""
         return bool(self.trajectory.riding()[0])
 
+    def add(self, moves: Sequence[QueuedMove]) -> None:
+        """Add moves to the log, with their numbers."""
+        for number, queued in enumerate(moves, len(self.moves)):
+            queued.number, queued.level = number, self.level
+        self.moves.extend(moves)
+        self.end = moves[-1].segment.end
+
     def guide(self, guided: GuidedMotion) -> None:
         """Let a guidance, not the path, move a robot at rest."""
         self.guided = guided

@@ -156,10 +156,16 @@ class MotionQueue:
                 if queued.segment.ramp > last.segment.ramp:
                     # The window of the smoothing becomes narrower only where it is empty.
                     queued.segment = replace(queued.segment, ramp=last.segment.ramp)
-            queued.number, queued.level = len(member.moves), member.level
             row.append(queued)
-            member.moves.append(queued)
-            member.end = queued.segment.end
+            member.add((queued,))
+        self.block.plan = None
+
+    def extend(self, moves: Sequence[QueuedMove]) -> None:
+        """Append moves of a robot alone like the last one, whose statements follow it at once."""
+        (member,), (row,) = self.members, self.block.rows
+        self.version += 1
+        row.extend(moves)
+        member.add(moves)
         self.block.plan = None
 
     def _next_start_s(self, now_s: float) -> float:

@@ -51,9 +51,9 @@ class MoveLog:
         """Moves that are not dropped, in parts, of which some are columns."""
         return (*self._settled, self._kept)
 
-    def append(self, queued: QueuedMove) -> None:
-        """Add a move."""
-        self._kept.append(queued)
+    def extend(self, moves: Sequence[QueuedMove]) -> None:
+        """Add moves."""
+        self._kept.extend(moves)
 
     def numbered(self, first: int = 0, last: int | None = None) -> Iterator[tuple[int, QueuedMove]]:
         """Kept moves from number `first` on and before `last`, with their numbers."""

@@ -97,7 +97,7 @@ class BulkExecution:
         for first in range(0, len(self.run), _AT_ONCE):
             targets = BulkTargets(self, slice(first, first + _AT_ONCE))
             motion.expect(targets)
-            yield from targets.moves()
+            yield from targets.moves(motion)
 
 
 class BulkTargets:
@@ -131,12 +131,20 @@ class BulkTargets:
         row = self._rows.start + number
         return self._place(next(self._of.run.rows(slice(row, row + 1))), number)
 
-    def moves(self) -> Iterator[BulkMove]:
-        """Yield the moves in order."""
-        assert self._created is not None
-        both = zip(self._of.run.rows(self._rows), self._created, strict=True)
-        for number, (row, target) in enumerate(both):
-            yield BulkMove(row, self._place(row, number), target)
+    def moves(self, motion: Motion) -> Iterator[BulkMove]:
+        """Yield the moves in order, but for those that are made together with the one before."""
+        created, number, more = self._created, 0, 1
+        assert created is not None
+        while more:
+            more = 0
+            rows = self._of.run.rows(slice(self._rows.start + number, self._rows.stop))
+            for row, target in zip(rows, created[number:], strict=True):
+                yield BulkMove(row, self._place(row, number), target)
+                number += 1
+                more = motion.repeat(self, number)
+                if more:
+                    number += more
+                    break
         self._created = None
 
     def _place(self, row: tree.BulkRow, number: int) -> Place:

@@ -126,13 +126,17 @@ class Curves:
         )
 
     def velocity(self, row: Index, x: Array) -> Array:
-        """Return only the velocity (k, 3) of `at`."""
+        """Return only the velocity (k, g, 3) of `at`, at places (k, g) of curves (k,).
+
+        It is the same at all places of lines: then (k, 1, 3).
+        """
         scale = 1.0 / np.maximum(self.length[row], STANDSTILL)
-        velocity: Array = self.chord[row] * scale[:, None]
-        frame_turn = self.frame_turn[row]
+        velocity: Array = (self.chord[row] * scale[:, None])[:, None]
+        frame_turn = self.frame_turn[row][:, None]
         if frame_turn.any():
-            turned = rotation_from_vector(frame_turn * (x * scale)[:, None])
-            velocity += cross(frame_turn * scale[:, None], rotate(turned, self.spoke[row]))
+            turned = rotation_from_vector(frame_turn * (x * scale[:, None])[..., None])
+            around = frame_turn * scale[:, None, None]
+            velocity = velocity + cross(around, rotate(turned, self.spoke[row][:, None]))
         return velocity
 
     def _orientation(self, row: Index, share: Array, scale: Array) -> Twists:

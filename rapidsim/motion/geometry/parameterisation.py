@@ -113,19 +113,23 @@ class PathParameterisation:
             self._cut_orientation(motion, cut, corner[cut], s[cut])
         return motion
 
-    def velocity(self, s: Array, piece: Index) -> Array:
-        """Return only the velocity (k, 3) of `motion`."""
-        row = self.row[piece]
-        x = np.clip(s - self.places[row], 0.0, self.curves.length[row])
-        velocity = self.curves.velocity(row, x)
-        corner = self.position_corner[piece]
+    def speeds(self, s: Array, piece: Index) -> Array:
+        """Return the length (k, g) of the velocity of `motion` at places (k, g) of pieces (k,)."""
+        row, corner = self.row[piece], self.position_corner[piece]
+        x = np.clip(s - self.places[row][:, None], 0.0, self.curves.length[row][:, None])
+        speed = np.empty_like(s)
+        speed[:] = np.linalg.norm(self.curves.velocity(row, x), axis=-1)
         cut = np.flatnonzero(corner >= 0)
         if len(cut):
             at = corner[cut]
-            before, after = self.sides(at, self.corners.radius[at], s[cut], self.shape)
-            into = self.curves.velocity(at, before[0]) * before[1][:, None]
-            velocity[cut] = into + self.curves.velocity(at + 1, after[0]) * after[1][:, None]
-        return velocity
+            radius = self.corners.radius[at][:, None]
+            before, after = self.sides(at[:, None], radius, s[cut], self.shape)
+            into = np.moveaxis(self.curves.velocity(at, before[0]), -1, 0)
+            out = np.moveaxis(self.curves.velocity(at + 1, after[0]), -1, 0)
+            # Axis by axis, for rows of three numbers cost more.
+            both = zip(into, out, strict=True)
+            speed[cut] = np.sqrt(sum((a * before[1] + b * after[1]) ** 2 for a, b in both))
+        return speed
 
     def course(self, s: Array, piece: Index) -> ExternalCourse:
         """Return external axes (k, e) at s (k,) on pieces (k,) defined in Cartesian space."""

@@ -402,15 +402,13 @@ class Path:
         s = (start + half)[:, None] + half[:, None] * _GAUSS_PLACES
         on_curve, in_joints = self.joints_on.spaces(piece)
         rate = np.empty_like(s)
-        count = len(_GAUSS_PLACES)
         if len(on_curve):
-            velocity = self.layout.velocity(s[on_curve].ravel(), np.repeat(piece[on_curve], count))
-            rate[on_curve] = np.linalg.norm(velocity, axis=-1).reshape(-1, count)
+            rate[on_curve] = self.layout.speeds(s[on_curve], piece[on_curve])
         if len(in_joints):
-            pieces = np.repeat(piece[in_joints], count)
+            pieces = np.repeat(piece[in_joints], len(_GAUSS_PLACES))
             at, first, _ = self._in_joint_space(s[in_joints].ravel(), pieces)
             velocity, _ = self._tcp_twist(at, first, self.layout.row[pieces])
-            rate[in_joints] = np.linalg.norm(velocity, axis=-1).reshape(-1, count)
+            rate[in_joints] = np.linalg.norm(velocity, axis=-1).reshape(-1, len(_GAUSS_PLACES))
         travel: Array = half * (rate @ _GAUSS_WEIGHTS)
         return travel
 

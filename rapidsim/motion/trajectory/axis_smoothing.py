@@ -16,6 +16,7 @@ import numpy as np
 from rapidsim.frames.transform import Array
 from rapidsim.motion.kinematics.arm import Mask
 from rapidsim.motion.trajectory.command import Index, MotionCommand
+from rapidsim.motion.trajectory.even_joints import PART_S, PLACES
 from rapidsim.motion.trajectory.filter_windows import Windows
 from rapidsim.repeated_rows import repeated
 from rapidsim.values import value_class
@@ -28,7 +29,6 @@ _LONGEST_PART_S = 0.016
 _PLACES = ((5, 0.002), (3, 0.00025), (2, 0.0))
 """Numbers of Gauss points for parts longer than this [s]; fewer points integrate shorter parts as
 well."""
-_COARSE_PART_S, _COARSE_PLACES = 0.008, 3
 _MOST = 5
 
 
@@ -159,18 +159,17 @@ def _parts(command: MotionCommand, before: Array, times: Array) -> _Parts:
 
 def _even_parts(command: MotionCommand, before: Array, times: Array) -> _Parts:
     """Return parts of equal width, at multiples of it, that such windows cover."""
-    first = np.floor(before / _COARSE_PART_S).astype(np.int64)
-    last = np.ceil(times / _COARSE_PART_S).astype(np.int64)
+    first = np.floor(before / PART_S).astype(np.int64)
+    last = np.ceil(times / PART_S).astype(np.int64)
     change = np.zeros(last[-1] - first[0] + 1, dtype=np.int64)
     np.add.at(change, first - first[0], 1)
     np.add.at(change, last - first[0], -1)
-    start = _COARSE_PART_S * (first[0] + np.flatnonzero(np.cumsum(change) > 0))
-    places, to_powers = _GAUSS[_COARSE_PLACES]
-    joints = command.joints_at((start[:, None] + _COARSE_PART_S * places).ravel())
-    values = (joints - joints[0]).reshape(len(start), _COARSE_PLACES, -1)
-    powers = np.zeros((len(start), _MOST, joints.shape[1]))
-    powers[:, :_COARSE_PLACES] = np.einsum("pg,mgn->mpn", to_powers, values)
-    return _integrated(start, np.full(len(start), _COARSE_PART_S), joints[0], powers)
+    part = first[0] + np.flatnonzero(np.cumsum(change) > 0)
+    joints = command.joints_in_parts(part)
+    origin = joints[0, 0]
+    powers = np.zeros((len(part), _MOST, len(origin)))
+    powers[:, : len(PLACES)] = np.einsum("pg,mgn->mpn", _GAUSS[len(PLACES)][1], joints - origin)
+    return _integrated(PART_S * part, np.full(len(part), PART_S), origin, powers)
 
 
 def _integrated(start: Array, width: Array, origin: Array, powers: Array) -> _Parts:

@@ -19,6 +19,7 @@ from rapidsim.motion.kinematics.arm import Mask
 from rapidsim.motion.path.joined_paths import JoinedPaths, joined_paths
 from rapidsim.motion.path.path import Path
 from rapidsim.motion.timing.time_scaling import TimeScaling
+from rapidsim.motion.trajectory.even_joints import EvenJoints
 from rapidsim.motion.trajectory.time_scalings import TimeScalings, timings_of
 from rapidsim.values import value_class
 
@@ -65,6 +66,7 @@ class MotionCommand:
         self._joined_paths: _JoinedPaths | None = None
         self._taking: Index | None = None
         """Rows that take time or distance, followed by the number of rows."""
+        self._even_joints: EvenJoints | None = None
 
     def copy(self) -> MotionCommand:
         """Return a copy that can be extended independently."""
@@ -135,12 +137,12 @@ class MotionCommand:
         rows[:, _Column.PIECE] = len(self._pieces)
         rows[:, _Column.MARK] = marks
         self._rows += len(marks)
-        self._taking = None
+        self._taking = self._even_joints = None
         return place
 
     def cut(self, time_s: float) -> None:
         """Remove the command after a time [s]."""
-        self._joined_timings = self._joined_paths = self._taking = None
+        self._joined_timings = self._joined_paths = self._taking = self._even_joints = None
         kept = self._rows
         while kept > 1 and self._table[kept - 1, _Column.START] >= time_s:
             kept -= 1
@@ -380,6 +382,12 @@ class MotionCommand:
         for path, s, at, _ in self.on_paths(row, self.state(row, times)[0]):
             joints[at, : path.axis_count] = path.joints_at(s)
         return joints
+
+    def joints_in_parts(self, part: Index) -> Array:
+        """Return joints (k, places, n + e) in parts of equal width; see `even_joints`."""
+        if self._even_joints is None:
+            self._even_joints = EvenJoints(self.end)
+        return self._even_joints.at(part, self.joints_at)
 
     def nodes_between(self, first_s: float, last_s: float) -> Array:
         """Return times [s] of acceleration changes, in all rows from one instant to another."""
