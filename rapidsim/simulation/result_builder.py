@@ -161,7 +161,7 @@ def _findings(
     movers = [run for run in runs if run.setup.robot is not None]
     for robot, run in zip(robots, movers, strict=True):
         limits, model = run.member.limits, run.member.model
-        yield from corner_findings(robot.moves, robot.trajectory, limits, model)
+        yield from corner_findings(robot.moves, robot.trajectory, limits, robot.robot.axes, model)
         yield from uncertain_corner_findings(robot.moves, robot.trajectory, robot.robot, model)
         yield from belt_findings(
             *(robot.moves, robot.trajectory, limits, robot.robot, time_s),

@@ -22,6 +22,7 @@ from rapidsim.motion.robot.external_axes import ExternalAxis
 from rapidsim.motion.trajectory.samples import Samples
 from rapidsim.report.run.figures import figures
 from rapidsim.report.run.json_report import RunFiles, run_json
+from rapidsim.simulation.results.active_limits import limits_of_moves
 from rapidsim.station.read import read_station
 
 TRACK = ExternalAxis(
@@ -119,6 +120,16 @@ def test_a_positioner_takes_line_and_corner_along() -> None:
     assert run.run.moves[1].corner.value == "fly-by"
     # The user frame of the work object is where the positioner is, whatever `uframe` says.
     assert second.base_from_tcp.translation[-1] == pytest.approx([0.8, 0.1, 0.6], abs=1e-9)
+
+
+def test_the_limit_of_a_move_names_unit_and_component_of_an_external_axis() -> None:
+    data = "  CONST jointtarget far:=[[0,0,0,0,30,0],[%s,%s,9E9,9E9,9E9,9E9]];\n"
+    for there, named in ((("2000", "0"), "eax_a of TRACK"), (("0", "170"), "eax_b of TABLE")):
+        run = ran(
+            program("MoveAbsJ far\\NoEOffs,vmax,fine,tool0;", data=data % there),
+            external_axes=(TRACK, TABLE),
+        ).run
+        assert limits_of_moves(run) == {0: f"speed of axis {named}"}
 
 
 def test_axes_keep_their_limits_and_programmed_speeds() -> None:

@@ -132,3 +132,21 @@ def test_python_and_a_served_controller_say_it_too(
     (told,) = [one for one in run.diagnostics if one.severity == "error"]
     assert told.code.startswith(code)
     assert told.message in entry.text
+
+
+def test_a_corner_does_not_change_the_configuration() -> None:
+    """At the end of the first line axis 3 would be past its limit; the corner cuts that off."""
+    program = f"""MODULE cell
+      CONST robtarget pThere:=[[450.5,172.8,369.3],[0,0,1,0],[0,0,0,0],{NO_AXES}];
+      PROC main()
+        ConfJ\\Off;
+        ConfL\\Off;
+        MoveJ [[599.9,273.6,398.0],[0,0,1,0],[0,0,0,0],{NO_AXES}],v1000,fine,tool0;
+        MoveL pThere,v1000,z50,tool0;
+        MoveL [[607.6,122.4,336.5],[0,0,1,0],[0,0,0,0],{NO_AXES}],v1000,fine,tool0;
+      ENDPROC
+    ENDMODULE
+    """
+    refused = ran(program)
+    assert refused.end == "error"
+    assert "in the corner axis 3 would have to jump from 53.7 deg" in refused.only("K604").message

@@ -49,7 +49,7 @@ _ROUNDING_S = 1e-9
 _ROUNDING_M = 1e-12
 _NO_WAY_M = 1e-6
 """A robot that moves no farther than this [m] is at rest, or is carried along."""
-TOLERATED_EXCESS = 0.01
+TOLERATED_EXCESS = 0.004
 """Share of the path speed by which a re-planned start may be too fast to brake for a new corner."""
 
 

@@ -26,6 +26,8 @@ class PlanCache:
     """The plans of the most recent blocks of one or more robots."""
 
     _plans: dict[Hashable, tuple[Path, TimeScaling]] = field(default_factory=dict)
+    _last: tuple[Hashable, Path, TimeScaling] | None = None
+    """The last plan, with its start."""
 
     def plan(
         self,
@@ -42,6 +44,10 @@ class PlanCache:
         """
         if len(rows[0]) > _MOST_SEGMENTS:
             return make()
+        if self._last is not None and self._last[0] == start:
+            _, path, timing = self._last
+            if _is_of(path, rows):
+                return path, timing
         key = (start, *(_values(segment) for row in rows for segment in row))
         known = self._plans.pop(key, None)
         if known is not None:
@@ -49,22 +55,37 @@ class PlanCache:
             self._plans[key] = known
             return known
         path, timing = make()
-        parts = zip(path.parts, rows, strict=True)
-        if all(all(map(operator.is_, part.segments, row)) for part, row in parts):
+        if _is_of(path, rows):
             # Otherwise a move was changed to what can be made: that must be found and reported each
             # time.
             self._plans[key] = path, timing
+            self._last = start, path, timing
             if len(self._plans) > _MOST_BLOCKS:
                 del self._plans[next(iter(self._plans))]
         return path, timing
 
 
-_NAMES = tuple(one.name for one in fields(Segment))
+def _is_of(path: Path, rows: Sequence[Sequence[Segment]]) -> bool:
+    """Whether a path consists of these very segments."""
+    return all(
+        len(part.segments) == len(row) and all(map(operator.is_, part.segments, row))
+        for part, row in zip(path.parts, rows, strict=True)
+    )
+
+
+_WITH_ARRAYS = operator.attrgetter("start", "end", "tcp_from_flange", "via")
+_OTHERS = operator.attrgetter(
+    *(
+        one.name
+        for one in fields(Segment)
+        if one.name not in ("start", "end", "tcp_from_flange", "via")
+    )
+)
 
 
 def _values(segment: Segment) -> Hashable:
     """All values of a segment, for comparison."""
-    return tuple(_value(getattr(segment, name)) for name in _NAMES)
+    return _OTHERS(segment), *map(_value, _WITH_ARRAYS(segment))
 
 
 def _value(value: object) -> Hashable:

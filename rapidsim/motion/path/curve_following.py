@@ -30,6 +30,8 @@ _SHORTEST_SHARE = 1e-2
 to jump: with axis 5 nearer to 0 than 0.006 deg on most arms. The controller stops earlier."""
 _LIMIT_TOLERANCE = 1e-6
 _MATCH_TOLERANCE = 1e-3
+_BRANCH_TOLERANCE = 0.02
+_SAME_PLACE = 1e-9
 
 
 class FaultKind(Enum):
@@ -106,6 +108,7 @@ def follow(
         _unreached(layout, arms, nodes),
         _jump(layout, nodes, arms.kinematics.turns),
         _missed_waypoint(layout, nodes, segments, axes),
+        _other_branch(layout, nodes, len(segments[0].start.joints), axes),
         limit_fault(
             layout, nodes.place[on_path], nodes.curve[on_path], nodes.joints[on_path], axes
         ),
@@ -265,6 +268,32 @@ def _missed_waypoint(
             )
             faults.append(_fault(layout, int(rows[i]), float(nodes.place[node[i]]), reason))
     return min(faults, key=lambda fault: fault.place, default=None)
+
+
+def _other_branch(
+    layout: PathParameterisation, nodes: Nodes, arm: int, axes: Axes
+) -> PathFault | None:
+    """Return the first corner in which the arm would change to another branch, or None.
+
+    In its middle the poses of both curves are equal, so their joints must be. `arm` is the number
+    of joints of the arm.
+    """
+    cut = (layout.position_corner >= 0) | (layout.orientation_corner >= 0)
+    cut &= layout.joint_corner < 0
+    meets = (np.diff(nodes.curve) != 0) & cut[nodes.part[:-1]] & cut[nodes.part[1:]]
+    meets &= np.diff(nodes.place) <= _SAME_PLACE
+    miss = np.abs(np.diff(nodes.joints[:, :arm], axis=0))
+    others = np.flatnonzero(meets & (miss.max(axis=-1) > _BRANCH_TOLERANCE))
+    if not len(others):
+        return None
+    first = int(others[0])
+    axis = int(miss[first].argmax())
+    here, there = nodes.joints[first : first + 2, axis]
+    reason = (
+        f"in the corner {axes.name(axis)} would have to jump from {axes.text(axis, here)} to "
+        f"{axes.text(axis, there)}, the configuration of the end"
+    )
+    return _fault(layout, int(nodes.curve[first]), float(nodes.place[first]), reason)
 
 
 def _fault(layout: PathParameterisation, row: int, place: float, reason: str) -> PathFault:

@@ -16,6 +16,7 @@ import numpy as np
 
 from rapidsim.frames.transform import Array
 from rapidsim.motion.path.path import Path
+from rapidsim.motion.robot.external_axes import Axes
 from rapidsim.motion.timing.axis_limits import Limits
 from rapidsim.motion.timing.discretisation import GridPoints
 from rapidsim.values import value_class
@@ -73,13 +74,22 @@ class Limiter:
 
     def __str__(self) -> str:
         """Return a description such as `acceleration of axis 2`."""
+        return self._of(f"axis {self.axis}")
+
+    def text(self, axes: Axes) -> str:
+        """Return a description for a robot, such as `speed of axis eax_a of TRACK`."""
+        if self.axis is None or self.axis > len(axes.lower):
+            return str(self)
+        return self._of(axes.name(self.axis - 1))
+
+    def _of(self, axis: str) -> str:
         match self.quantity:
             case Quantity.AXIS_SPEED:
-                return f"speed of axis {self.axis}"
+                return f"speed of {axis}"
             case Quantity.AXIS_ACCELERATION:
-                return f"acceleration of axis {self.axis}"
+                return f"acceleration of {axis}"
             case Quantity.TORQUE:
-                return f"torque of axis {self.axis}"
+                return f"torque of {axis}"
             case _:
                 return str(self.quantity.value)
 
@@ -136,7 +146,7 @@ def speed_rows(path: Path, places: GridPoints, limits: Limits, paces: Paces) -> 
         paces: Maximum path speeds [m/s] of segments with a programmed time, by index; they
             replace the programmed speeds there.
     """
-    found = [_programmed_speeds(path, places, paces)]
+    found = [_programmed_speeds(path, places, limits, paces)]
     found += [rows for kind in _SPEEDS if (rows := kind(path, places, limits)) is not None]
     return SpeedRows(
         tuple(limiter for rows in found for limiter in rows.limiters),
@@ -161,8 +171,11 @@ def _axis_speeds(path: Path, places: GridPoints, limits: Limits) -> SpeedRows:
     return SpeedRows(_of_axes(Quantity.AXIS_SPEED, rate), rate)
 
 
-def _programmed_speeds(path: Path, places: GridPoints, paces: Paces) -> SpeedRows:
-    """Return rows of the four programmed speeds, or of the pace of a programmed time."""
+def _programmed_speeds(path: Path, places: GridPoints, limits: Limits, paces: Paces) -> SpeedRows:
+    """Return rows of the four programmed speeds, or of the pace of a programmed time.
+
+    Where the largest speed of an external axis replaces the programmed one, its own row counts.
+    """
     segment = path.segment_of(places.piece)
     paced, timed = np.zeros(len(path.segments), dtype=np.bool_), np.zeros(len(path.segments))
     if paces:
@@ -177,7 +190,9 @@ def _programmed_speeds(path: Path, places: GridPoints, paces: Paces) -> SpeedRow
     joint_count = path.kinematics.joint_count
     if path.axis_count == joint_count:
         return SpeedRows(_PROGRAMMED, rate)
-    share = np.where(paced[:, None], 0.0, 1.0 / path.programmed.external)[segment]
+    allowed = path.programmed.external
+    own = allowed >= limits.max_speed[joint_count : joint_count + allowed.shape[1]]
+    share = np.where(paced[:, None] | own, 0.0, 1.0 / allowed)[segment]
     external = np.abs(places.rates.first[:, joint_count:]) * share
     limiters = _PROGRAMMED + (Limiter(Quantity.EXTERNAL_AXIS_SPEED),) * external.shape[1]
     return SpeedRows(limiters, np.concatenate([rate, external], axis=-1))

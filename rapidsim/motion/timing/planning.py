@@ -40,7 +40,8 @@ def plan(
         limits: Axis limits; the segments contain the limits of the TCP.
         start: Position [m] where the motion starts.
         start_speed: Path speed [m/s] there. If it is too fast to brake within the limits, it is
-            kept, the first section brakes too hard, and `TimeScaling.start_excess` is set.
+            kept, the motion brakes as hard as the arm can, harder only as far as it must, and
+            `TimeScaling.start_excess` is set.
         spent_s: Time [s] already spent in the segment where the motion starts; None takes the
             corresponding share of its programmed time.
         check_deadline: Called regularly.

@@ -60,20 +60,37 @@ def sweep(first: float, slopes: Array, offsets: Array, caps: Array) -> Array:
 def _one_by_one(first: float, slopes: Array, offsets: Array, caps: Array) -> Array:
     """Run the recurrence step by step, for short rows.
 
-    Lines above the cap at both ends of the range of y are never active; most are.
+    A line that is above another one, or above the cap, at both ends of the range of y is never
+    active: of most steps one line is left.
     """
     largest = np.append(max(first, 0.0), caps[1:-1])[:, None]
-    met = np.minimum(offsets, slopes * largest + offsets) < caps[1:, None]
-    lines = zip(slopes[met].tolist(), offsets[met].tolist(), strict=True)
+    ends = slopes * largest + offsets
+    step = np.arange(len(ends))
+    lowest, last = offsets.argmin(axis=1), ends.argmin(axis=1)
+    others = (ends < ends[step, lowest][:, None]) & (offsets < offsets[step, last][:, None])
+    others[step, lowest] = True
+    others[step, last] = False
+    others &= np.minimum(offsets, ends) < caps[1:, None]
+    lines = zip(slopes[others].tolist(), offsets[others].tolist(), strict=True)
+    steps = zip(
+        slopes[step, last].tolist(),
+        offsets[step, last].tolist(),
+        caps[1:].tolist(),
+        others.sum(axis=1).tolist(),
+        strict=True,
+    )
     result = [first]
     y = first
-    for count, cap in zip(met.sum(axis=1).tolist(), caps[1:].tolist(), strict=True):
-        reached = cap
+    for slope, offset, cap, count in steps:
+        reached = slope * y + offset
         # Plain comparisons: a list for `min` would cost twice as much.
-        for slope, offset in islice(lines, count):
-            other = slope * y + offset
-            if other < reached:
-                reached = other
+        if cap < reached:
+            reached = cap
+        if count:
+            for own_slope, own_offset in islice(lines, count):
+                other = own_slope * y + own_offset
+                if other < reached:
+                    reached = other
         y = 0.0 if reached < 0.0 else reached
         result.append(y)
     return np.array(result)

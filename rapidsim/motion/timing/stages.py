@@ -88,8 +88,8 @@ def cut(stages: Stages, cells: GridCells, rows: AccelerationRows, parts: Index) 
         np.where(number == 0, begin, begin + step * number),
         np.where(last, stages.end[owner], begin + step * (number + 1)),
         np.append(stages.nodes[owner], stages.nodes[-1]),
-        stages.slack[owner],
-        stages.tilt[owner],
+        stages.slack.take(owner, axis=0),
+        stages.tilt.take(owner, axis=0),
         stages.widest[owner],
     )
     _fill_in(smaller, cells, rows, np.flatnonzero(parts[owner] > 1))
@@ -118,7 +118,7 @@ def rows_along(values: Array, at: Index, weights: Array) -> Array:
             points.
         weights: Shape (m, 3); see `weights_of`.
     """
-    rows: Array = np.einsum("mp,mpr->mr", weights, values[at])
+    rows: Array = np.einsum("mp,mpr->mr", weights, values.take(at, axis=0))
     return rows
 
 

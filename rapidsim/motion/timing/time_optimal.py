@@ -7,6 +7,9 @@ stages are cheap: only they are divided.
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+from itertools import pairwise, starmap
+
 import numpy as np
 
 from rapidsim.frames.transform import Array
@@ -44,6 +47,8 @@ class StageMotion:
     """Squares of the path speed at the nodes, shape (m + 1,)."""
     fastest_start: float
     """Largest x at the start from which the rest is feasible."""
+    braked: int
+    """Number of first stages in which a faster start is braked, beyond limits."""
     by_speed: Array
     """Largest x by speeds in the middle of the stages, shape (m,)."""
     caps: Array
@@ -110,17 +115,34 @@ def drive(
     stages = division.stages
     speeds = fastest(stages, problem.cells, problem.slowness)
     if division.needed.any():
-        places, needed = stages.places.ravel(), np.repeat(division.needed, 3)
-        held = held_speeds(places, speeds.ravel(), needed, problem.path.window)
-        speeds = held.reshape(-1, 3)
+        speeds = np.concatenate(
+            [
+                _command_speeds(
+                    stages.places[part], speeds[part], division.needed[part], problem.path.window
+                )
+                for part in _between_stops(problem, stages)
+            ]
+        )
     in_zones = problem.path.zone_speed
     if np.isfinite(in_zones).any():
         speeds = np.minimum(speeds, in_zones[problem.cells.piece[stages.cell]][:, None])
     own, speeds = stages.beyond(division.driven), speeds[division.driven :]
     of_ramps = np.broadcast_to(ramp_caps, len(stages.nodes))[division.driven :]
     caps = np.minimum(_caps(problem, own, speeds), of_ramps)
-    x, fastest_start = solve(own, caps, start_speed)
-    return StageMotion(own, x, fastest_start, speeds[:, 1] ** 2, caps, of_ramps)
+    x, fastest_start, braked = solve(own, caps, start_speed)
+    return StageMotion(own, x, fastest_start, braked, speeds[:, 1] ** 2, caps, of_ramps)
+
+
+def _between_stops(problem: Problem, stages: Stages) -> Iterator[slice]:
+    """Yield the stages of each section between stops: there the smoothed motion is at rest, too."""
+    stops = np.flatnonzero(np.isin(stages.nodes[1:-1], problem.path.stops)) + 1
+    return starmap(slice, pairwise([0, *stops.tolist(), len(stages.cell)]))
+
+
+def _command_speeds(places: Array, speeds: Array, needed: Mask, window: float) -> Array:
+    """Return `held_speeds` (m, 3) of stages."""
+    held = held_speeds(places.ravel(), speeds.ravel(), np.repeat(needed, 3), window)
+    return held.reshape(-1, 3)
 
 
 def _caps(problem: Problem, stages: Stages, speeds: Array) -> Array:
@@ -145,7 +167,7 @@ def _needed(problem: Problem, division: Division, start_speed: float) -> Mask:
     stages = division.stages
     speeds = fastest(stages, problem.cells, problem.slowness)
     caps = _caps(problem, stages, speeds)
-    x, _ = solve(stages, caps, float(np.sqrt(caps[0])) if division.driven else start_speed)
+    x, *_ = solve(stages, caps, float(np.sqrt(caps[0])) if division.driven else start_speed)
     free = TimeScaling(stages.nodes, np.sqrt(x), 0.0)
     needed: Mask = np.zeros(len(speeds), dtype=bool)
     for window in problem.path.windows:
@@ -166,6 +188,7 @@ def _parts(problem: Problem, result: StageMotion, *, save_time: bool) -> Index:
     speed = np.sqrt(0.5 * (x[1:] + x[:-1]) / result.by_speed)
     # The excess over a limit between two ends that keep it decreases with the square.
     over = np.maximum((load - 1.0) / _ACCELERATION_EXCESS, (speed - 1.0) / _SPEED_EXCESS)
+    over[: result.braked] = 0.0
     parts = np.sqrt(np.maximum(over, 0.0))
     if save_time:
         parts = np.maximum(parts, _parts_worth_while(problem, result, np.maximum(load, speed)))

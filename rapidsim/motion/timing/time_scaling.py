@@ -33,7 +33,7 @@ class TimeScaling:
     """Path speed ds/dt at the nodes, shape (k,) [m/s]."""
     start_excess: float
     """Excess [m/s] of the start speed over the speed that can be braked within the limits, else 0.
-    Up to 1 % of the speed results from other nodes than those of the previous plan."""
+    A little of it may result from other nodes than those of the previous plan."""
     limiters: tuple[Limiter, ...] = ()
     """Limits that are active in some cell."""
     active: Numbers | None = None

@@ -9,6 +9,9 @@ from __future__ import annotations
 from rapidsim.frames.transform import Array
 from rapidsim.motion.geometry.curves import Index
 
+_NEARLY = 1.0 + 1e-9
+"""Factor that covers rounding where a result is compared before it is computed."""
+
 
 def parabola(start: float, middle: float, end: float, share: float) -> float:
     """Return the value at a share of a cell; see `stages.weights_of`."""
@@ -93,7 +96,8 @@ def both_passes(
         reached = caps[k]
         for i in range(slack.shape[1]):
             keeps = 1.0 - span[k] * tilt[k, i]
-            if keeps > steep:
+            # Divide only where that can be the smallest.
+            if keeps > steep and x[k + 1] + span[k] * slack[k, i] < keeps * reached * _NEARLY:
                 reached = min(reached, 1.0 / keeps * x[k + 1] + span[k] * slack[k, i] / keeps)
         x[k] = max(0.0, reached)
     fastest: float = x[0]

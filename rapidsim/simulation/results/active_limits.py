@@ -179,7 +179,7 @@ def _teams(simulation: Simulation, robot_run: RobotRun) -> Mapping[tuple[int, in
 
 def _limit(limiter: Limiter, segment: int, robot_run: RobotRun, team: _Team) -> ActiveLimit:
     """Return the limit of a segment of a piece, from the point of view of one robot of a team."""
-    text, axis = str(limiter), limiter.axis
+    text, axis = limiter.text(robot_run.robot.axes), limiter.axis
     if any(
         one is robot_run and piece.path.belts and piece.path.segments[segment].slowed_for_belt
         for one, piece in team
@@ -194,7 +194,7 @@ def _limit(limiter: Limiter, segment: int, robot_run: RobotRun, team: _Team) -> 
         for robot, piece in team:
             own = piece.path.axis_count
             if axis <= own:
-                own_text = str(Limiter(limiter.quantity, axis))
+                own_text = Limiter(limiter.quantity, axis).text(robot.robot.axes)
                 text = own_text if robot is robot_run else f"{own_text} of {robot.task}"
                 break
             axis -= own

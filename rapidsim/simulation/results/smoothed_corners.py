@@ -15,6 +15,7 @@ from rapidsim.controller.moves.executed_moves import ExecutedMoves
 from rapidsim.diagnostics import Diagnostic
 from rapidsim.findings.smoothing import CornerTooFast
 from rapidsim.motion.model import MotionModel
+from rapidsim.motion.robot.external_axes import Axes
 from rapidsim.motion.timing.axis_limits import Limits, limits_along
 from rapidsim.motion.timing.constraints import axis_rows
 from rapidsim.motion.timing.discretisation import GridPoints
@@ -36,7 +37,7 @@ class _Corner:
 
 
 def corner_findings(
-    moves: ExecutedMoves, trajectory: Trajectory, limits: Limits, model: MotionModel
+    moves: ExecutedMoves, trajectory: Trajectory, limits: Limits, axes: Axes, model: MotionModel
 ) -> tuple[Diagnostic, ...]:
     """Return one note on the worst such corner of a run; empty if there is none.
 
@@ -44,6 +45,7 @@ def corner_findings(
         moves: Moves of one robot.
         trajectory: Its motion.
         limits: Limits of its axes.
+        axes: Their names.
         model: Motion model of the controller.
     """
     if not model.window or model.smoothing == "axes" or model.slows_for_bends:
@@ -52,7 +54,7 @@ def corner_findings(
     found = [
         corner
         for piece in trajectory.pieces
-        for corner in _too_fast(piece, corners, trajectory, limits)
+        for corner in _too_fast(piece, corners, trajectory, limits, axes)
     ]
     if not found:
         return ()
@@ -65,7 +67,11 @@ def corner_findings(
 
 
 def _too_fast(
-    piece: Piece, corners: dict[int, ExecutedMove], trajectory: Trajectory, limits: Limits
+    piece: Piece,
+    corners: dict[int, ExecutedMove],
+    trajectory: Trajectory,
+    limits: Limits,
+    axes: Axes,
 ) -> Iterator[_Corner]:
     path = piece.path
     middles = path.segment_bounds[1:]
@@ -90,4 +96,4 @@ def _too_fast(
     for number, load in zip(faster.tolist(), loads, strict=True):
         if load.max() > _WORTH_SAYING:
             limiter = rows.limiters[int(load.argmax())]
-            yield _Corner(passed[number][1], float(load.max()), str(limiter))
+            yield _Corner(passed[number][1], float(load.max()), limiter.text(axes))

@@ -20,6 +20,7 @@ from rapidsim.frames.transform import Array
 from rapidsim.motion.geometry.segments import Geometry
 from rapidsim.motion.model import MotionModel
 from rapidsim.motion.path.path import Path
+from rapidsim.motion.robot.external_axes import Axes
 from rapidsim.motion.robot.robot import Robot
 from rapidsim.motion.timing.axis_limits import constants_of, torques_of
 from rapidsim.motion.trajectory.command import Piece
@@ -65,7 +66,9 @@ def uncertain_corner_findings(
     if accurate is None or accurate > _ACCURATE_PERCENT or not torques_of(robot, model):
         return
     corners = {move.index: move for move in moves if move.corner is CornerKind.FLY_BY}
-    found = [corner for piece in trajectory.pieces for corner in _uncertain(piece, corners)]
+    found = [
+        corner for piece in trajectory.pieces for corner in _uncertain(piece, corners, robot.axes)
+    ]
     for kind in _Seen:
         of_kind = [corner for corner in found if corner.seen is kind]
         if of_kind:
@@ -76,7 +79,7 @@ def uncertain_corner_findings(
             yield Diagnostic(violation, place.span, routine=place.routine)
 
 
-def _uncertain(piece: Piece, corners: dict[int, ExecutedMove]) -> Iterator[_Corner]:
+def _uncertain(piece: Piece, corners: dict[int, ExecutedMove], axes: Axes) -> Iterator[_Corner]:
     path, timing = piece.path, piece.timing
     middles = path.segment_bounds[1:-1]
     if timing.active is None or not len(middles):
@@ -95,9 +98,9 @@ def _uncertain(piece: Piece, corners: dict[int, ExecutedMove]) -> Iterator[_Corn
         if move is None or Geometry.JOINT in kinds:
             continue
         if turn > _SHARP:
-            yield _Corner(move, str(timing.limiters[int(limit[k])]), _Seen.SHARP)
+            yield _Corner(move, timing.limiters[int(limit[k])].text(axes), _Seen.SHARP)
         elif kinds == {Geometry.ARC} and _reorientation(path, k) > _REORIENTED:
-            yield _Corner(move, str(timing.limiters[int(limit[k])]), _Seen.REORIENTED)
+            yield _Corner(move, timing.limiters[int(limit[k])].text(axes), _Seen.REORIENTED)
 
 
 def _turns(path: Path, middles: Array, radius: Array) -> Array:
