@@ -53,6 +53,7 @@ RUNS = {
     "out_of_reach": Run("out_of_reach.mod", (0.6, 3.0, 6.2), exit_code=1),
     "cell": Run("cell", (1.4, 3.9, 9.0)),
     "two_robots": Run("two_robots/Left.mod", (1.8, 4.2, 8.6)),
+    "belt_track": Run("belt_track/Track.mod", (2.0, 6.0, 10.0)),
 }
 
 
@@ -76,7 +77,7 @@ def main() -> None:
 def _recording(name: str, scratch: Path) -> None:
     run = RUNS[name]
     recording = scratch / f"{name}.rrd"
-    _simulate(run, scratch, "--record", str(recording))
+    simulate(run, scratch, "--record", str(recording))
     cover = (COVER_TIME_S,) if name == "pentagon" else ()
     shots = shoot(recording, [*run.times_s, *cover], width=COVER_WIDTH)
     for number, shot in enumerate(shots, start=1):
@@ -91,7 +92,7 @@ def _recording(name: str, scratch: Path) -> None:
 def _report(scratch: Path) -> None:
     """The report of the cell, as Chromium shows it."""
     page = scratch / "report.html"
-    _simulate(RUNS["cell"], scratch, "--no-record", "--report", str(page))
+    simulate(RUNS["cell"], scratch, "--no-record", "--report", str(page))
     chromium = shutil.which("chromium") or shutil.which("google-chrome")
     if chromium is None:
         raise SystemExit("the picture of the report needs Chromium")
@@ -105,7 +106,7 @@ def _report(scratch: Path) -> None:
 
 def _plots(scratch: Path) -> None:
     folder = scratch / "plots"
-    _simulate(RUNS["pentagon"], scratch, "--no-record", "--plots", str(folder))
+    simulate(RUNS["pentagon"], scratch, "--no-record", "--plots", str(folder))
     for name in PLOTS:
         picture = (folder / f"{name}.png").read_bytes()
         _save(picture, PICTURES / f"plot-{name}.png", WIDTH)
@@ -121,7 +122,8 @@ def _letter(scratch: Path) -> None:
     _save(shot.png, ROOT / "docs" / "letter_d.png", WIDTH, top=MENU_HEIGHT)
 
 
-def _simulate(run: Run, scratch: Path, *outputs: str) -> None:
+def simulate(run: Run, scratch: Path, *outputs: str) -> None:
+    """Run a program of the repository with options for its outputs."""
     program = str(ROOT / "programs" / run.program)
     command = [sys.executable, "-m", "rapidsim", "run", program, "--format", "none"]
     command += ["--home", str(scratch), *run.arguments, *outputs]

@@ -170,6 +170,8 @@ def test_a_page_has_the_recording_and_the_viewer(
     assert b64decode(found[1]) == recording
     assert gzip.decompress(b64decode(program[1])) == served.program
     assert (folder / "page" / "THIRD_PARTY_NOTICES.md").read_text() == "MIT"
+    quiet = rapidsim("view", "a&b.rrd", "--export", "page", "-q", cwd=folder)
+    assert (quiet.code, quiet.out) == (0, "")
     again = rapidsim("view", "a&b.rrd", "--export", "Short.mod", cwd=folder)
     assert (again.code, again.err) == (2, "error: Short.mod is a file; a folder is needed\n")
     nowhere = rapidsim("view", "a&b.rrd", "--export", "no/page", cwd=folder)

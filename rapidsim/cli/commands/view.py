@@ -8,7 +8,7 @@ import click
 
 from rapidsim.cli.exit_codes import ExitCode
 from rapidsim.cli.options.new_files import new_page
-from rapidsim.cli.terminal import echo, terminal_options
+from rapidsim.cli.terminal import current_terminal, echo, terminal_options
 from rapidsim.cli.viewer import require_recording, require_screen, show
 from rapidsim.extras import require
 
@@ -34,7 +34,8 @@ def view(recording: str, export: str | None) -> int:
         from rapidsim.recording.page.write_page import write_page
 
         page = write_page(path, folder)
-        echo(f"{page} shows it in any browser ({page.stat().st_size / 1e6:.1f} MB)")
+        if not current_terminal().quiet:
+            echo(f"{page} shows it in any browser ({page.stat().st_size / 1e6:.1f} MB)")
         return ExitCode.CLEAN
     require_screen()
     return ExitCode.CLEAN if show(path) == 0 else ExitCode.FINDINGS
