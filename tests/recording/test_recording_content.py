@@ -205,3 +205,29 @@ def test_a_run_without_moves_is_recorded(tmp_path: Path) -> None:
     entities = RrdReader(path).store().schema().entity_paths()
     assert "/joints/angle" in entities
     assert "/path/programmed" not in entities
+
+
+def test_many_places_of_one_name_share_a_label(tmp_path: Path) -> None:
+    (tmp_path / "rows.mod").write_text(
+        """MODULE rows
+  CONST robtarget pSlot:=[[700,0,600],[0,0,1,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]];
+  PROC main()
+    FOR i FROM 1 TO 80 DO
+      MoveL Offs(pSlot,0,i,0),v500,z1,tool0;
+    ENDFOR
+    FOR i FROM 1 TO 2 DO
+      MoveL Offs(pSlot,0,0,-50*i),v500,fine,tool0;
+      MoveL pSlot,v500,fine,tool0;
+    ENDFOR
+  ENDPROC
+ENDMODULE
+"""
+    )
+    recording = tmp_path / "rows.rrd"
+    record(rapidsim.load(tmp_path / "rows.mod").run().simulation, recording)
+    ((_, named),) = rows(recording, "/targets/names/near")
+    assert named["Points3D:labels"] == [
+        "80 places of Offs(pSlot,0,i,0), pSlot (2x)",
+        "Offs(pSlot,0,0,-50*i)",
+        "Offs(pSlot,0,0,-50*i)",
+    ]

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections import Counter
+from collections.abc import Mapping, Sequence
 
 import numpy as np
 import rerun as rr
@@ -22,8 +23,11 @@ NAMES_NEAR = f"{ENTITY}/names/near"
 NAMES_FAR = f"{ENTITY}/names/far"
 
 MOST_NAMES = 60
-"""Number of targets above which names would overlap and are omitted."""
+"""Number of names above which they would overlap and are omitted."""
 MOST_AXES = 2000
+"""Number of targets that have axes, and above which names are omitted."""
+_MANY_PLACES = 3
+"""Number of places of one name, as of `Offs(p,x,y,0)` in a loop, that share one label."""
 _APART = 0.02
 """Distance, relative to the extent of the work, within which targets share one label."""
 _MOST_AT_A_PLACE = 3
@@ -174,12 +178,14 @@ def log_targets(
         static=True,
     )
     _log_axes(stream, run, targets[:MOST_AXES], axis_m)
-    if len(targets) <= MOST_NAMES:
+    if len(targets) <= MOST_AXES:
         near = near_targets(targets)
         far = targets[~targets.on_line] if near is not targets else targets[:0]
-        _log_names(stream, run, NAMES_NEAR, near, spacing_m=_APART * extent(near))
-        _log_names(stream, run, NAMES_FAR, far, spacing_m=spacing_m)
-        return ()
+        names_near, names_far = _named(near), _named(far)
+        if len(names_near) + len(names_far) <= MOST_NAMES:
+            _log_names(stream, run, NAMES_NEAR, names_near, spacing_m=_APART * extent(near))
+            _log_names(stream, run, NAMES_FAR, names_far, spacing_m=spacing_m)
+            return ()
     remarks: tuple[str, ...] = (f"{len(targets)} targets: their names are not shown",)
     if len(targets) > MOST_AXES:
         remarks += (f"{len(targets)} targets: the first {MOST_AXES} have axes",)
@@ -190,12 +196,12 @@ def _log_names(
     stream: rr.RecordingStream,
     run: RecordedRobot,
     entity: str,
-    targets: Targets,
+    names: Sequence[_Name],
     spacing_m: float,
 ) -> None:
-    if not len(targets):
+    if not names:
         return
-    places, names = _gathered(targets, spacing_m)
+    places, labels = _gathered(names, spacing_m)
     stream.log(
         run.entity(entity),
         rr.CoordinateFrame(run.still_frame),
@@ -203,7 +209,7 @@ def _log_names(
             places,
             radii=rr.Radius.ui_points(0.0),
             colors=palette.rgba(palette.TARGET_NAME),
-            labels=names,
+            labels=labels,
             show_labels=True,
         ),
         static=True,
@@ -232,20 +238,44 @@ def _log_axes(
     )
 
 
-def _gathered(targets: Targets, spacing_m: float) -> tuple[Array, list[str]]:
-    """Return places that are some distance [m] apart, with the names of all targets near each."""
-    names: list[dict[str, int]] = []
+@value_class(frozen=True, slots=True, eq=False)
+class _Name:
+    """Name at a place."""
+
+    point: Array
+    """Shape (3,) [m], in the still frame."""
+    text: str
+    visits: int
+
+
+def _named(targets: Targets) -> list[_Name]:
+    """Return the names of targets; one for all places of a name that has many."""
+    names = targets.names
+    places = Counter(names)
+    merged: set[str] = set()
+    result: list[_Name] = []
+    for point, name, visits in zip(targets.points, names, targets.visits.tolist(), strict=True):
+        if places[name] < _MANY_PLACES:
+            result.append(_Name(point, name, visits))
+        elif name not in merged:
+            merged.add(name)
+            result.append(_Name(point, f"{places[name]} places of {name}", 1))
+    return result
+
+
+def _gathered(names: Sequence[_Name], spacing_m: float) -> tuple[Array, list[str]]:
+    """Return places that are some distance [m] apart, with all names near each."""
+    groups: list[dict[str, int]] = []
     places: list[Array] = []
-    of_all = zip(targets.points, targets.names, targets.visits.tolist(), strict=True)
-    for point, name, visits in of_all:
-        distances = [float(np.linalg.norm(place - point)) for place in places]
+    for name in names:
+        distances = [float(np.linalg.norm(place - name.point)) for place in places]
         nearest = int(np.argmin(distances)) if distances else -1
         if not distances or distances[nearest] > spacing_m:
-            places.append(point)
-            names.append({})
-            nearest = len(names) - 1
-        names[nearest][name] = names[nearest].get(name, 0) + visits
-    return np.array(places), [_label(group) for group in names]
+            places.append(name.point)
+            groups.append({})
+            nearest = len(groups) - 1
+        groups[nearest][name.text] = groups[nearest].get(name.text, 0) + name.visits
+    return np.array(places), [_label(group) for group in groups]
 
 
 def _label(visits: Mapping[str, int]) -> str:
