@@ -1,18 +1,21 @@
 """Looking for contacts among bodies with as many triangles as CAD exports have.
 
-    python benchmarks/castings.py [--bodies 20] [--triangles 50000] [--rounds 5]
+    python benchmarks/castings.py [--bodies 20] [--triangles 2000 10000 50000] [--rounds 5 20]
     python benchmarks/castings.py --pairs 1000 [--triangles 50000]
 
 The first runs a cell of two arms and a positioner among rings with a rippled surface, each a closed
 mesh that is not convex: one in each gripper, one on the table, the others close to the arms. It
-prints the processor time beyond the same run without bodies, per simulated second. The second
-compares distances and contacts of such a ring and a box, and of two rings, in random poses with
-those of python-fcl, with the processor time of both.
+prints the processor time beyond the same run without bodies, per simulated second, each time in a
+new process, and that of python-fcl for the nearest pair at every step of 16 ms. The second compares
+distances and contacts of such a ring and a box, and of two rings, in random poses with those of
+python-fcl, with the processor time of both.
 """
 
 from __future__ import annotations
 
 import argparse
+import subprocess
+import sys
 import time
 from dataclasses import dataclass
 from pathlib import Path
@@ -20,19 +23,23 @@ from tempfile import TemporaryDirectory
 
 import fcl
 import numpy as np
-from collision_truths import random_poses
+from collision_truths import model, random_poses
 
 import rapidsim
 from rapidsim.collisions import shape
 from rapidsim.collisions.body_distance import Bodies
+from rapidsim.collisions.contact import FARTHEST_M
 from rapidsim.collisions.meshes.triangles import Triangles
 from rapidsim.collisions.nearest_parts import CLOSE_M
+from rapidsim.collisions.scene import STEP_S, Scene
 
 RADIUS_M, THICK_M, RIPPLE_M = 0.2, 0.05, 0.006
 FAR_M = 0.3
 """Distance up to which pairs are compared."""
 TOUCHING_M = 1e-5
 """Nearer to touching than this both answers are right."""
+_INSTANTS = 200
+"""Number of instants at which python-fcl is measured."""
 _STATION = """
 [[robot]]
 name = "left"
@@ -154,12 +161,45 @@ def cell_cost(bodies: int, triangles: int, rounds: int) -> None:
             spent.append(time.process_time() - started)
         found = run.collisions
         assert found is not None, run
+        ours = (spent[-1] - spent[-2]) / run.time_s
+        theirs = _by_fcl(found.scene, run.time_s)
         print(
             f"{bodies} bodies of {triangles} triangles, {found.pair_count} pairs, "
-            f"{len(found.report.contacts)} contacts: {spent[-1]:.2f} s of processor, "
-            f"{1e3 * (spent[-1] - spent[-2]) / run.time_s:.1f} ms more a simulated second "
-            f"({run.time_s:.1f} s)"
+            f"{len(found.report.contacts)} contacts, {run.time_s:.1f} s: {spent[-1]:.2f} s of "
+            f"processor, {1e3 * ours:.1f} ms more a simulated second; python-fcl "
+            f"{1e3 * theirs:.0f} ms, {theirs / ours:.1f} times as long",
+            flush=True,
         )
+
+
+def _by_fcl(scene: Scene, end_s: float) -> float:
+    """Return what python-fcl costs [s] per simulated second: its models, and distances.
+
+    At each instant that of the pair that bounds say is nearest, then those of pairs whose bounds
+    are below the least so far. Bounds and poses are not counted.
+    """
+    bodies = scene.shapes()
+    started = time.process_time()
+    shapes = {id(one.shape): one.shape for one in scene.bodies}
+    models = {key: model(one) for key, one in shapes.items()}
+    made = time.process_time() - started
+    objects = [fcl.CollisionObject(models[id(one.shape)]) for one in scene.bodies]
+    pairs = [pair for pair in scene.pairs if not pair.touch_only]
+    first, second = (np.array([getattr(one, end) for one in pairs]) for end in ("first", "second"))
+    poses, spent = scene.poses(np.linspace(0.0, end_s, _INSTANTS)), 0.0
+    for k in range(_INSTANTS):
+        near = bodies.bounds.gaps(first, second, poses.seen(first, second, np.full(len(pairs), k)))
+        for one, *place in zip(objects, poses.rotation[k], poses.translation[k], strict=True):
+            one.setTransform(fcl.Transform(*place))
+        least = FARTHEST_M
+        started = time.process_time()
+        for pair in np.argsort(near).tolist():
+            if near[pair] >= least:
+                break
+            ends = objects[first[pair]], objects[second[pair]]
+            least = min(least, fcl.distance(*ends, fcl.DistanceRequest(), fcl.DistanceResult()))
+        spent += time.process_time() - started
+    return made / end_s + spent / _INSTANTS / STEP_S
 
 
 @dataclass(frozen=True)
@@ -242,14 +282,20 @@ def main() -> None:
     """Measure."""
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--bodies", type=int, default=20)
-    parser.add_argument("--triangles", type=int, default=50_000)
-    parser.add_argument("--rounds", type=int, default=5)
+    parser.add_argument("--triangles", type=int, nargs="*", default=[2000, 10_000, 50_000])
+    parser.add_argument("--rounds", type=int, nargs="*", default=[5, 20])
     parser.add_argument("--pairs", type=int, default=0)
     asked = parser.parse_args()
+    cells = [(triangles, rounds) for rounds in asked.rounds for triangles in asked.triangles]
     if asked.pairs:
-        pairs(asked.pairs, asked.triangles)
+        for triangles in asked.triangles:
+            pairs(asked.pairs, triangles)
+    elif len(cells) == 1:
+        cell_cost(asked.bodies, *cells[0])
     else:
-        cell_cost(asked.bodies, asked.triangles, asked.rounds)
+        for triangles, rounds in cells:
+            options = f"--bodies {asked.bodies} --triangles {triangles} --rounds {rounds}"
+            subprocess.run([sys.executable, __file__, *options.split()], check=True)
 
 
 if __name__ == "__main__":

@@ -156,6 +156,24 @@ def around(corners: Array, starts: Index, *, turned: bool) -> Bounds:
     return Bounds(centre, half, np.maximum.reduceat(far, first), axes)
 
 
+def around_triangles(triangles: Array) -> Bounds:
+    """Return bounds of triangles (k, 3, 3) [m]: flat boxes along their longest edges."""
+    edges = np.roll(triangles, -1, axis=1) - triangles
+    squares, row = np.einsum("kij,kij->ki", edges, edges), np.arange(len(triangles))
+    longest = squares.argmax(axis=1)
+    along = edges[row, longest] / np.sqrt(squares[row, longest])[:, None]
+    up = edges[row, (longest + 1) % 3]
+    for _ in range(2):  # Of a thin triangle the first is not normal to its edge, but for rounding.
+        up = up - np.einsum("kj,kj->k", up, along)[:, None] * along
+        up /= np.linalg.norm(up, axis=1)[:, None]
+    axes = np.stack([along, up, np.cross(along, up)], axis=2)
+    places = triangles @ axes
+    low, high = places.min(axis=1), places.max(axis=1)
+    half = 0.5 * (high - low)
+    centre = np.einsum("kij,kj->ki", axes, 0.5 * (low + high))
+    return Bounds(centre, half, np.linalg.norm(half, axis=1), axes)
+
+
 def _surface(half: Array) -> Array:
     """Return numbers (k,) proportional to the surfaces of boxes with half edges (k, 3)."""
     surface: Array = (half * np.roll(half, 1, axis=1)).sum(axis=1)

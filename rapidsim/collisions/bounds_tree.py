@@ -14,14 +14,15 @@ from collections.abc import Callable, Iterator, Sequence
 
 import numpy as np
 
-from rapidsim.collisions.bounds import Bounds, around, joined
+from rapidsim.collisions.bounds import Bounds, around, around_triangles, joined
 from rapidsim.collisions.convex import ConvexParts, Index, Mask
 from rapidsim.frames.transform import Array, Transform
 from rapidsim.repeated_rows import repeated
 from rapidsim.values import value_class
 
 _MEMBERS, _FEW = 4, 64
-"""Number of members of a group, and of parts up to which a body is a single group."""
+"""Number of members of a group, and of parts up to which a body is a single group; larger pieces of
+a surface are hardly flat, so that turned boxes would cost more than they exclude."""
 _FIRST, _MORE = 4, 8
 """Number of rows of each query in the first batch of `best_first`, and its growth."""
 _BITS = 20
@@ -78,7 +79,8 @@ class BoundsTrees:
             while len(nodes) > 1:
                 span *= members_each
                 edges = np.arange(0, len(nodes), members_each)
-                levels.append(around(corners, np.arange(0, len(corners), span), turned=has_many))
+                turned = has_many and span <= _FEW
+                levels.append(around(corners, np.arange(0, len(corners), span), turned=turned))
                 members.append(nodes)
                 starts.append(placed + edges)
                 sizes.append(np.diff(edges, append=len(nodes)))
@@ -197,4 +199,4 @@ def _of_parts(parts: ConvexParts) -> Bounds:
     solids = Bounds(parts.centre[:end], parts.half[:end], parts.bound[:end])
     if not len(parts.triangles):
         return solids
-    return joined([solids, around(parts.triangles, np.arange(len(parts.triangles)), turned=True)])
+    return joined([solids, around_triangles(parts.triangles)])

@@ -16,6 +16,7 @@ from rapidsim import load_robot
 from rapidsim.collisions import shape
 from rapidsim.collisions.along_motion import _stepped
 from rapidsim.collisions.body_distance import Bodies
+from rapidsim.collisions.bounds import around_triangles
 from rapidsim.collisions.contact import BodyName
 from rapidsim.collisions.convex import ConvexParts
 from rapidsim.collisions.meshes.read import read_mesh
@@ -136,6 +137,21 @@ def test_a_move_of_few_instants_counts_the_steps_around_it() -> None:
     pair = np.zeros(3, dtype=np.int64)
     travel = Travel(scene, scene.shapes().bounds, poses, pair[:1])
     assert travel.stirs(pair, pair, np.arange(3)).tolist() == [False, True, False]
+
+
+def test_boxes_of_thin_triangles_contain_them() -> None:
+    rng = np.random.default_rng(8)
+    a, b = rng.normal(size=(2, 200, 3))
+    c = a + rng.random((200, 1)) * (b - a) + 10.0 ** rng.uniform(-13, 0, (200, 1)) * b[::-1]
+    triangles = np.stack([a, b, c], axis=1)
+    boxes = around_triangles(triangles)
+    for corner in range(3):
+        outside = boxes.from_points(np.arange(200), triangles[:, corner])
+        assert outside.max() < 1e-12
+    assert boxes.axes is not None
+    np.testing.assert_allclose(
+        np.swapaxes(boxes.axes, 1, 2) @ boxes.axes, np.tile(np.eye(3), (200, 1, 1)), atol=1e-12
+    )
 
 
 def test_instants_are_a_step_apart_and_every_brief_move_has_one() -> None:
