@@ -168,6 +168,12 @@ RIGHT = MappingProxyType(
         "tool": "tool0",
         "wobj": "wobj0",
         "coordinate": "Base",
+        "rob_joints": "[0.1,0.2,0.3,0.4,0.5,0.6]",
+        "curr_position": "[0.8,0.1,0.7]",
+        "curr_orientation": "[0.5,0,0.9,0]",
+        "robot_configuration": "[0,-1,0,0]",
+        "tool_frame_position": "[0,0,0.1]",
+        "tool_frame_orientation": "[1,0,0,0]",
     }
 )
 """What requests of all kinds take, together."""

@@ -89,7 +89,7 @@ def test_a_backup_is_a_cell_that_check_takes(tmp_path: Path) -> None:
             pass
         assert (await served.get("ctrl/backup?action=backupstate"))[0]["backup state"] == "None"
         url = f"{served.base}/ctrl/backup?action=backup"
-        for wrong in ("/fileservice/$HOME/b", "$BACKUP", "$NOWHERE/b", "b", "$BACKUP/../b"):
+        for wrong in ("/fileservice/$HOME/b", "$BACKUP//", "$NOWHERE/b", "b", "$BACKUP/../b"):
             async with served.client.post(url, data={"backup": wrong}) as done:
                 assert 400 <= done.status < 500, wrong
         place = {"backup": "/fileservice/$BACKUP/day"}

@@ -8,7 +8,16 @@ import pytest
 from every_route import act, stopped, switched_on
 
 from rapidsim.server.engine import Engine
-from rapidsim.server.messages import Answer, ChangeEvent, Notification, Reply, Request, Subscribe
+from rapidsim.server.http.bodies import xhtml_refusal
+from rapidsim.server.messages import (
+    Answer,
+    ChangeEvent,
+    ErrorAnswer,
+    Notification,
+    Reply,
+    Request,
+    Subscribe,
+)
 
 
 @pytest.fixture(scope="module")
@@ -92,6 +101,23 @@ def test_other_words_are_refused(
             stopped(engine.reply)
             request = Request("POST", f"/rw/{path}", {"action": action}, {name: word}, 1)
             assert engine.reply(request).status == status, word
+
+
+@pytest.mark.parametrize(("word", "code"), [("restart", "10045"), ("pstart", "10046")])
+def test_a_restart_is_warm_or_cold(
+    switched: tuple[Engine, list[Notification]], word: str, code: str
+) -> None:
+    engine, _ = switched
+    stopped(engine.reply)
+    engine.reply(Request("POST", "/rw/elog", {"action": "clearall"}, {}, 1))
+    act(engine.reply, "/rw/panel", "restart", restart_mode=word)
+    entries = engine.reply(Request("GET", "/rw/elog/0")).resources  # type: ignore[union-attr]
+    assert code in [one.fields["code"] for one in entries or ()]
+
+
+def test_texts_of_a_page_are_in_one_line() -> None:
+    text = xhtml_refusal(ErrorAnswer(400, 1, "a\tb\n<c>\ufffe"), "http://here/")
+    assert '<span class="msg">a b &lt;c&gt;</span>' in text
 
 
 def test_steps_backwards_are_refused(switched: tuple[Engine, list[Notification]]) -> None:
@@ -221,6 +247,10 @@ def test_what_clients_leave_out_or_write_otherwise_is_found(
     assert names(ask("POST", *search, blockurl="RAPID/T_ROB1", symtyp="con")) == ["c"]
     assert names(ask("POST", *search, blockurl="RAPID/T_ROB1/Other")) == []
     assert names(ask("GET", "/rw/iosystem/signals", "start=1&limit=1")) == ["aoFlow"]
+    datum = "/rw/rapid/symbol/data/RAPID/T_ROB1/Tried/k;value"
+    assert ask("POST", datum, "action=set", value="7").status == 204
+    (read,) = ask("GET", datum).items  # type: ignore[union-attr]
+    assert (read.fields["value"], read.title) == ("7", "RAPID/T_ROB1/Tried/k")
     stopped(engine.reply)
     for action, task, shown in (
         ("deactivate", "T_ROB1", "Off"),

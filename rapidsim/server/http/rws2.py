@@ -68,8 +68,9 @@ class Rws2Dialect:
     def represent(self, request: web.Request, reply: Reply) -> web.Response:
         """See `Dialect`."""
         form, _ = _accepted(request) or (_XHTML, "")
-        # Writes answer in XHTML, for any requested representation.
-        if form == _HAL and (request.method == "GET" or isinstance(reply, ErrorAnswer)):
+        # Writes answer in XHTML, for any requested representation; calculations do not write.
+        is_shown = isinstance(reply, ErrorAnswer) or bool(reply.items)
+        if form == _HAL and (request.method == "GET" or is_shown):
             return represent(request, reply, hal_body, hal_refusal, f"{_HAL};v=2.0")
         return represent(request, reply, xhtml_body, later_xhtml_refusal, f"{_XHTML};v=2.0")
 

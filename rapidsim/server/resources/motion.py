@@ -54,7 +54,7 @@ def units(context: RequestContext, request: Request) -> Answer:
 
 def unit(context: RequestContext, request: Request, unit: str) -> Answer:
     """The fixed data of a robot (`resource=static`) and its state (`resource=dynamic`)."""
-    name, task = _robot(context, unit)
+    name, task = robot_of(context, unit)
     if request.query.get("resource") == "static":
         axes = len(task.unit.member.robot.joints)
         # A client raises an error at an empty text, and interprets these words as "none".
@@ -103,7 +103,7 @@ def of_task(context: RequestContext, request: Request, task: str) -> Answer:
 
 def joint_target(context: RequestContext, request: Request, unit: str) -> Answer:
     """The current positions of the axes of a robot; RobotWare 7 has 0 for those it lacks."""
-    name, task = _robot(context, unit)
+    name, task = robot_of(context, unit)
     now = position.joints(task)
     fields = {f"rax_{index}": _text(one) for index, one in enumerate(now.robax, start=1)}
     for letter, one in zip(LETTERS, now.extax, strict=True):
@@ -115,7 +115,7 @@ def joint_target(context: RequestContext, request: Request, unit: str) -> Answer
 def rob_target(context: RequestContext, request: Request, unit: str) -> Answer:
     """The current pose of the TCP of a robot."""
     query = request.query
-    name, task = _robot(context, unit)
+    name, task = robot_of(context, unit)
     frame = _frame(query.get("coordinate", ""))
     tool, wobj = query.get("tool") or "tool0", query.get("wobj") or "wobj0"
     now = position.target(task, tool, wobj, frame)
@@ -129,7 +129,7 @@ def rob_target(context: RequestContext, request: Request, unit: str) -> Answer:
 
 def cartesian(context: RequestContext, request: Request, unit: str) -> Answer:
     """The current Cartesian pose of the TCP of a robot, by default of its flange in its base."""
-    name, task = _robot(context, unit)
+    name, task = robot_of(context, unit)
     query = request.query
     tool, wobj = query.get("tool") or "tool0", query.get("wobj") or "wobj0"
     now = position.target(task, tool, wobj, _frame(query.get("coordinate", "")))
@@ -144,7 +144,7 @@ def cartesian(context: RequestContext, request: Request, unit: str) -> Answer:
 def axes(context: RequestContext, request: Request, unit: str) -> Answer:
     """The number of axes of a robot, and the address of each."""
     del request
-    name, task = _robot(context, unit)
+    name, task = robot_of(context, unit)
     count = len(task.unit.member.robot.joints)
     total = Item("ms-mechunit-axes", "axes", {"axes": str(count)})
     address = f"rw/motionsystem/mechunits/{name}/axes"
@@ -162,7 +162,7 @@ def axis(context: RequestContext, request: Request, unit: str, number: str) -> A
         RefusedRequest: If the robot has no axis of this number.
     """
     del request
-    name, task = _robot(context, unit)
+    name, task = robot_of(context, unit)
     if number not in map(str, range(1, len(task.unit.member.robot.joints) + 1)):
         raise refused(NOT_FOUND, f"{name} has no axis {number}")
     state = Item("ms-mechunit-axisstatus", "axis", {"axis-status": "Synchronized"})
@@ -172,7 +172,7 @@ def axis(context: RequestContext, request: Request, unit: str, number: str) -> A
 def base_frame(context: RequestContext, request: Request, unit: str) -> Answer:
     """The pose of a robot's base in the world."""
     del request
-    name, task = _robot(context, unit)
+    name, task = robot_of(context, unit)
     place = task.setup.place
     fields = _numbers(("x", "y", "z"), tuple(1e3 * float(one) for one in place.translation))
     fields |= _numbers(("q1", "q2", "q3", "q4"), tuple(map(float, place.quaternion)))
@@ -184,7 +184,12 @@ def _robots(context: RequestContext) -> Iterator[tuple[str, LiveTask]]:
     return ((unit, context.live.task(one.name)) for unit, one in robots(context.live.setups))
 
 
-def _robot(context: RequestContext, unit: str) -> tuple[str, LiveTask]:
+def robot_of(context: RequestContext, unit: str) -> tuple[str, LiveTask]:
+    """Return the name of a mechanical unit, and the task that moves it.
+
+    Raises:
+        RefusedRequest: If there is no such unit.
+    """
     for name, task in _robots(context):
         if name.lower() == unit.lower():
             return name, task
