@@ -12,7 +12,7 @@ from rapidsim.frames.transform import Array
 Index = npt.NDArray[np.int64]
 Values = TypeVar("Values", bound=np.generic)
 
-_MANY = 1024
+_MANY = 500
 """Number of rows from which on it pays to look whether they are equal."""
 
 

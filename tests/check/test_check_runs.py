@@ -66,6 +66,14 @@ def test_a_planted_fault_is_found_where_it_stands(old: str, new: str, code: str)
 
 
 @pytest.mark.parametrize(
+    ("old", "new"), [(r"\]\],v", "],v"), (r"\[\[", "Offs([["), (r"\],\[", ",[")]
+)
+def test_a_missing_bracket_is_said_once(old: str, new: str) -> None:
+    (found,) = assert_runs_change_nothing(_at(old, new)).diagnostics
+    assert (found.code, found.line) == ("E113", 3 + _AT)
+
+
+@pytest.mark.parametrize(
     ("old", "new", "is_run"),
     [
         # What is said of all of them is said of each.

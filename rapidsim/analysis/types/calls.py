@@ -83,6 +83,9 @@ def _check_arguments(
     context: Context,
     type_of: TypeOf,
 ) -> None:
+    if any(map(_lacks_its_end, (call, *arguments))):
+        check_unbound(arguments, context, type_of)
+        return
     bound, unbound = bind(call, arguments, callee, context)
     check_unbound(unbound, context, type_of)
     bound = without_exchange(bound, callee, context)
@@ -114,6 +117,20 @@ def _check_arguments(
                 _check_option(argument, value, formal, context, type_of)
             case tree.ConditionalArgument():
                 _check_conditional(argument, context)
+
+
+def _lacks_its_end(node: tree.Node) -> bool:
+    """Whether the bracket at the end of an argument, or of a call, is missing, which is reported.
+
+    It may then contain arguments after it: a bracket that is not in the text has no width.
+    """
+    match node:
+        case tree.RequiredArgument(value=tree.Aggregate() | tree.FunctionCall() as value):
+            return _lacks_its_end(value)
+        case tree.Aggregate(elements=(*_, last)) | tree.FunctionCall(arguments=(*_, last)):
+            return node.end == last.end
+        case _:
+            return False
 
 
 def _paired_signal_type(

@@ -36,6 +36,7 @@ from rapidsim.motion.configurations.short_lines import SHORT_TURN
 from rapidsim.motion.configurations.targets import MM, TOLERATED_NORM_ERROR, Placement
 from rapidsim.motion.geometry.segments import Segment, Waypoint
 from rapidsim.motion.robot.robot import Robot
+from rapidsim.repeated_rows import shared_row
 
 _FIRST_ROWS = 64
 _MOST_ROWS = 1000
@@ -187,9 +188,9 @@ class ExpectedLines:
         first = Waypoint(start.joints, begin, start.external)
         return LineRows(
             joints.joints[:count].copy(),
-            Transform(ends.rotation[:count].copy(), ends.translation[:count].copy()),
+            Transform(shared_row(ends.rotation[:count].copy()), ends.translation[:count].copy()),
             first,
-            confdata[:count].copy(),
+            confdata[:count].astype(np.int16),
             move,
             self._segment_of,
             settings.grip_load_kg,

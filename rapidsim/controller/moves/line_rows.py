@@ -25,7 +25,7 @@ class LineRows:
     """Shape (k,): curve_from_tcp."""
     start: Waypoint
     """Start of the first line, with the pose there of the tool of these."""
-    confdata: npt.NDArray[np.int64]
+    confdata: npt.NDArray[np.int16]
     """Shape (k, 4)."""
     like: Move
     """A move with their parameters."""

@@ -14,7 +14,9 @@ from rapidsim.frames.transform import Array
 from rapidsim.motion.geometry.curves import Index
 from rapidsim.motion.geometry.joint_mapping import JointMapper
 from rapidsim.motion.geometry.parameterisation import PathParameterisation
+from rapidsim.motion.kinematics.unwrapping import in_turn_of
 from rapidsim.motion.path.along_curves import NodeJoints
+from rapidsim.motion.path.line_derivatives import Lines
 from rapidsim.values import value_class
 
 
@@ -96,6 +98,8 @@ class JointsOnPath:
     layout: PathParameterisation
     arms: JointMapper
     nodes: NodeJoints
+    lines: Lines | None = None
+    """Lines with closed-form joints; None if there are none."""
 
     def spaces(self, piece: Index) -> tuple[Index, Index]:
         """Return indices of pieces (k,) in Cartesian space, and of pieces in joint space.
@@ -128,9 +132,21 @@ class JointsOnPath:
         joints = np.empty((len(s), self.nodes.joints.shape[1]))
         on_curve, in_joints = self.spaces(piece)
         if len(on_curve):
-            joints[on_curve] = self.in_space(s[on_curve], piece[on_curve])[1]
+            joints[on_curve] = self._on_curves(s[on_curve], piece[on_curve])
         if len(in_joints):
             joints[in_joints] = self._in_joint_space(s[in_joints], piece[in_joints])
+        return joints
+
+    def _on_curves(self, s: Array, piece: Index) -> Array:
+        """Return joints (k, n + e) on Cartesian curves and in their corners."""
+        if self.lines is None:
+            return self.in_space(s, piece)[1]
+        joints, holds = self.lines.joints(s, piece)
+        # Arms with such lines have no external axes.
+        joints = in_turn_of(joints, holds, self.near(s, np.zeros((len(s), 0))))
+        others = np.flatnonzero(~holds)
+        if len(others):
+            joints[others] = self.in_space(s[others], piece[others])[1]
         return joints
 
     def _in_joint_space(self, s: Array, piece: Index) -> Array:

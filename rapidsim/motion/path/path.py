@@ -268,7 +268,7 @@ class Path:
     @cached_property
     def joints_on(self) -> JointsOnPath:
         """Inverse kinematics of the path."""
-        return JointsOnPath(self.layout, self.arms, self.nodes)
+        return JointsOnPath(self.layout, self.arms, self.nodes, self.lines)
 
     def joints_at(self, s: Array) -> Array:
         """Return joints, followed by external axes, (k, n + e) at s (k,) [m]; see `evaluate`."""

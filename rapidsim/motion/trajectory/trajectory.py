@@ -428,7 +428,10 @@ class Trajectory:
 
     def place_at(self, times: Array) -> Array:
         """Return the visible position S (k,) [m] of the run at times (k,) [s]."""
-        return self._progress(np.atleast_1d(np.asarray(times, dtype=np.float64)))[0]
+        times = np.atleast_1d(np.asarray(times, dtype=np.float64))
+        # In chunks, so that not all timings of a long run are joined at once.
+        parts = np.array_split(times, len(times) // _SAMPLES_AT_ONCE + 1)
+        return np.concatenate([self._progress(part)[0] for part in parts])
 
     def _progress(self, times: Array) -> tuple[Array, Array]:
         """Return the visible position S (k,) [m] and speed dS/dt (k,) [m/s] at times (k,) [s]."""
