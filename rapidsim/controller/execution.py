@@ -23,6 +23,7 @@ from rapidsim.controller.moves.queued_move import MotionError
 from rapidsim.controller.queue.mechanical_unit import MechanicalUnit
 from rapidsim.controller.stop_processes import StopProcess, StopProcesses
 from rapidsim.language.errors import Stopped
+from rapidsim.language.moves import Place
 from rapidsim.language.option_data import RestartData
 from rapidsim.language.reference import Reference
 
@@ -48,7 +49,7 @@ class TaskExecution:
     table: InterruptTable
     processes: StopProcesses
     """Effect of a stop on process signals."""
-    stops_all: Callable[[str], None] | None = None
+    stops_all: Callable[[str, Place], None] | None = None
     """Stops all tasks, for a reason; None if nothing would restart them."""
     resumed: Callable[[], None] | None = None
     """Called when the program continues."""
@@ -73,7 +74,7 @@ class TaskExecution:
         if self.stops_all is None:
             raise Stopped(reason)
         now_s = self.clock.synchronise()
-        self.stops_all(reason)
+        self.stops_all(reason, self.clock.place)
         self.clock.pass_time(now_s)
 
     def supervise(

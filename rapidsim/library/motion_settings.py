@@ -28,6 +28,7 @@ from rapidsim.language.error_numbers import (
     ERR_ARGVALERR,
     ERR_AXIS_PAR,
     ERR_SPEED_REFRESH_LIM,
+    ERR_SPEEDLIM_VALUE,
     ERR_UNIT_PAR,
     rapid_error,
 )
@@ -122,7 +123,9 @@ def speed_lim_check_point(controller: Controller, rob_speed: Num) -> None:
 
 def _require_limit(name: str, speed: float) -> None:
     if speed <= 0.0:
-        raise NotAllowed(f"{name}: a speed limit of {speed:g}; it must be greater than 0")
+        raise rapid_error(
+            ERR_SPEEDLIM_VALUE, f"{name}: a speed limit of {speed:g}; it must be greater than 0"
+        )
 
 
 def path_resol(controller: Controller, path_sample_time: Num) -> None:

@@ -26,6 +26,7 @@ from rapidsim.files import InputError
 from rapidsim.interpreter.runtime.shared_persistents import SharedPersistents, shared_persistents
 from rapidsim.language.error_log import LoggedError
 from rapidsim.language.errors import Stopped
+from rapidsim.language.moves import Place
 from rapidsim.simulation.live import event_log
 from rapidsim.simulation.live.event_log import EventLog, LogEntry
 from rapidsim.simulation.live.faults import LiveFaults
@@ -94,8 +95,8 @@ class LiveController:
     """Tasks by folded name, in the order of the station."""
     scheduler: LiveScheduler = field(init=False)
     faults: LiveFaults = field(init=False)
-    stopped_by: str = ""
-    """Instruction that has stopped the programs last; empty if none has."""
+    stopped_by: tuple[str, Place] | None = None
+    """Instruction that has stopped the programs last, and its place; None if none has."""
     _journal: Journal = field(init=False)
     _acts: deque[Callable[[], None]] = field(default_factory=deque)
     """Acts outside of all programs that are due at the present time."""
@@ -277,7 +278,7 @@ class LiveController:
         if any(not one.has_pointer for one in tasks):
             raise RequestRefused(RefusalReason.STATE, "the program pointer is lost; set it to main")
         self.cycle = cycle or self.cycle
-        self._ends_with_cycle, self.stopped_by = False, ""
+        self._ends_with_cycle, self.stopped_by = False, None
         for task in tasks:
             code = event_log.STARTED_AGAIN if task.has_started else event_log.STARTED_FROM_MAIN
             self.log.operational(code, self.now_s, f"{task.name} has been started.", task.name)
@@ -432,9 +433,9 @@ class LiveController:
 
     # Notifications from tasks: implements `live_task.TaskSupervisor`.
 
-    def stop_all(self, reason: str) -> None:
-        """Stop all tasks, as one of the programs requests."""
-        self.stopped_by = reason
+    def stop_all(self, reason: str, place: Place) -> None:
+        """Stop all tasks, as one of the programs requests at a place."""
+        self.stopped_by = reason, place
         self._stop_tasks(f" by {reason}")
 
     def _stop_tasks(self, by: str, how: StopMode = StopMode.STOP) -> None:

@@ -38,8 +38,8 @@ from rapidsim.syntax import tree
 class TaskSupervisor(Protocol):
     """Supervisor of tasks: decides on stops, cycles and failures."""
 
-    def stop_all(self, reason: str) -> None:
-        """Stop all tasks, as one of the programs requests."""
+    def stop_all(self, reason: str, place: Place) -> None:
+        """Stop all tasks, as one of the programs requests at a place."""
         ...
 
     def cycle_ended(self) -> bool:

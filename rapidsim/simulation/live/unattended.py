@@ -75,13 +75,14 @@ def run_unattended(
     finally:
         live.switch_off()
         live.cell.watchdog.rest()
-    place = next(task.place for task in live.normal_tasks)
     finished = live.finished()
     run = finished.simulation
     if end is End.ERROR:
         return finished
     if end is End.STOPPED:
-        found = stopped_finding(Stopped(live.stopped_by or _last_stop(run)), place)
+        first = next(task.place for task in live.normal_tasks)
+        reason, place = live.stopped_by or (_last_stop(run), first)
+        found = stopped_finding(Stopped(reason), place)
         run = replace(run, diagnostics=(*run.diagnostics, found))
     normal = {task.name for task in live.normal_tasks}
     ends = tuple(replace(one, end=end) if one.name in normal else one for one in run.tasks)

@@ -13,11 +13,18 @@ MODULE speed_limits
     TPWrite ValToStr(Abs(taken()-free)<0.2); ! -> TRUE
     SpeedLimAxis ROB_1,7,2;
     SpeedLimAxis STN_9,1,2;             ! note: N214
+    SpeedLimAxis ROB_1,2,0;
+    SpeedLimCheckPoint 0;
     TPWrite "behind";                   ! -> behind
   ERROR
     TPWrite ValToStr(ERRNO=ERR_AXIS_PAR)+ValToStr(ERRNO=ERR_UNIT_PAR);
     ! -> TRUEFALSE
     ! -> FALSETRUE
+    ! -> FALSEFALSE
+    ! -> FALSEFALSE
+    IF ERRNO=ERR_SPEEDLIM_VALUE TPWrite "too low";
+    ! -> too low
+    ! -> too low
     TRYNEXT;
   ENDPROC
 
