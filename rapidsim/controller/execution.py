@@ -22,7 +22,7 @@ from rapidsim.controller.interrupt_table import InterruptTable
 from rapidsim.controller.moves.queued_move import MotionError
 from rapidsim.controller.queue.mechanical_unit import MechanicalUnit
 from rapidsim.controller.stop_processes import StopProcess, StopProcesses
-from rapidsim.language.errors import Stopped
+from rapidsim.language.errors import AllStopped, Stopped
 from rapidsim.language.moves import Place
 from rapidsim.language.option_data import RestartData
 from rapidsim.language.reference import Reference
@@ -49,8 +49,8 @@ class TaskExecution:
     table: InterruptTable
     processes: StopProcesses
     """Effect of a stop on process signals."""
-    stops_all: Callable[[str, Place], None] | None = None
-    """Stops all tasks, for a reason; None if nothing would restart them."""
+    stops: Callable[[str, Place, bool], None] | None = None
+    """Stops this task or all, for a reason at a place; None if nothing would restart them."""
     resumed: Callable[[], None] | None = None
     """Called when the program continues."""
     halted: Callable[[bool], None] = lambda is_quick: None
@@ -65,16 +65,16 @@ class TaskExecution:
     _is_stopping: bool = False
     """Whether the program comes to a stop, or begins to continue."""
 
-    def stop(self, reason: str) -> None:
-        """Stop all tasks that are executing.
+    def stop(self, reason: str, *, every: bool = False) -> None:
+        """Stop this task, or all that are executing.
 
         Raises:
             Stopped: If nothing can restart it.
         """
-        if self.stops_all is None:
-            raise Stopped(reason)
+        if self.stops is None:
+            raise (AllStopped if every else Stopped)(reason)
         now_s = self.clock.synchronise()
-        self.stops_all(reason, self.clock.place)
+        self.stops(reason, self.clock.place, every)
         self.clock.pass_time(now_s)
 
     def supervise(

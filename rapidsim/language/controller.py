@@ -115,11 +115,11 @@ class ClockService(Protocol):
 class ExecutionControl(Protocol):
     """Execution of the program: stops and restarts."""
 
-    def stop(self, reason: str) -> None:
-        """Stop execution; returns when the program has been restarted.
+    def stop(self, reason: str, *, every: bool = False) -> None:
+        """Stop execution of the task, or of all; returns when the program has been restarted.
 
         Raises:
-            Stopped: If nothing can restart it: the run ends.
+            Stopped: If nothing can restart it: the task ends, with AllStopped the run.
         """
         ...
 

@@ -45,6 +45,10 @@ class Stopped(BaseException):
         self.reason = reason
 
 
+class AllStopped(Stopped):
+    """Stop of all normal tasks, as the program of one requests."""
+
+
 class RunLimitReached(Stopped):
     """A limit of the run is reached: no further clause of the program runs, not even UNDO."""
 

@@ -10,7 +10,7 @@ from rapidsim.language.controller import Controller, ExecutionControl
 from rapidsim.language.equipment import robot_name
 from rapidsim.language.errors import CycleEnded
 from rapidsim.language.tasks import TaskService
-from rapidsim.library.fidelity_notes import note_ignored_options, reject_in_undo
+from rapidsim.library.fidelity_notes import reject_in_undo
 from rapidsim.library.table import routine, table
 from rapidsim.library.traits import Trait
 
@@ -23,12 +23,11 @@ RUNNING_CONTINUOUSLY = 1.0
 def stop(
     controller: Controller, *, no_regain: Switch = False, all_move_tasks: Switch = False
 ) -> None:
-    """Stop the program once the robot is at rest; the run ends unless it can be restarted."""
+    """Stop the task, or all, once the robot is at rest; it ends unless it can be restarted."""
     del no_regain
     reject_in_undo(controller, "Stop")
-    note_ignored_options(controller.fidelity, "Stop", {r"\AllMoveTasks": all_move_tasks})
     controller.clock.wait(0.0, in_position=True)
-    controller.execution.stop("Stop")
+    controller.execution.stop("Stop", every=all_move_tasks)
 
 
 def break_(controller: ExecutionControl) -> None:
@@ -50,7 +49,7 @@ def system_stop_action(
 ) -> None:
     """Stop the whole system; the run ends unless it can be restarted."""
     del stop, stop_block, halt
-    controller.stop("SystemStopAction")
+    controller.stop("SystemStopAction", every=True)
 
 
 def op_mode() -> SymNum:

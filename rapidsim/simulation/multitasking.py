@@ -46,7 +46,7 @@ def run_all_tasks(runs: Sequence[TaskRun], cell: Cell, options: RunOptions) -> l
         outcomes[run.setup.name] = outcome
         ended_s = run.controller.clock.pointer_s()
         cell.task_ended(run.setup.name, ended_s, failed=outcome.end is End.ERROR)
-        if outcome.end in (End.ERROR, End.TIME_LIMIT):
+        if outcome.ends_all or outcome.end in (End.ERROR, End.TIME_LIMIT):
             scheduler.stop()
             stopped_s = run.controller.clock.pointer_s()
             for other in runs:

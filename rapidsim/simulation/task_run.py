@@ -30,7 +30,14 @@ from rapidsim.files import InputError
 from rapidsim.frames.transform import Array, Transform
 from rapidsim.interpreter.linking.loader import Task, running
 from rapidsim.interpreter.runtime.call_stack import FatalError
-from rapidsim.language.errors import CycleEnded, NotAllowed, NotConnected, NotDeclared, Stopped
+from rapidsim.language.errors import (
+    AllStopped,
+    CycleEnded,
+    NotAllowed,
+    NotConnected,
+    NotDeclared,
+    Stopped,
+)
 from rapidsim.language.moves import Place
 from rapidsim.motion.geometry.segments import Waypoint
 from rapidsim.motion.robot.external_axes import ExternalAxis
@@ -103,6 +110,8 @@ class TaskOutcome:
     failed_moves: tuple[FailedMove, ...] = ()
     task: Task | None = None
     """The program with its final values; None if it failed to load."""
+    ends_all: bool = False
+    """Whether its program has stopped all tasks."""
 
 
 @value_class(frozen=True, slots=True)
@@ -283,7 +292,8 @@ def _abandoned(error: FatalError | Stopped, run: TaskRun) -> TaskOutcome:
         case NotAllowed():
             return TaskOutcome(End.ERROR, (not_allowed_finding(error, place),))
         case _:
-            return TaskOutcome(End.STOPPED, (stopped_finding(error, place),))
+            found = stopped_finding(error, place)
+            return TaskOutcome(End.STOPPED, (found,), ends_all=isinstance(error, AllStopped))
 
 
 def _failed_motion(error: MotionError, run: TaskRun) -> TaskOutcome:

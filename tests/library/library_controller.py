@@ -142,7 +142,7 @@ class RecordingController(NoSockets, PartsAtRest, Undisturbed):
         self.moves.append(move)
         self.triggers += triggers
 
-    def stop(self, reason: str) -> None:
+    def stop(self, reason: str, *, every: bool = False) -> None:
         raise Stopped(reason)
 
     def supervise(

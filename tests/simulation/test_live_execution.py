@@ -153,6 +153,25 @@ def test_a_program_stops_itself_and_is_started_again_behind_the_stop() -> None:
     assert live.value("n") == "3"
 
 
+def test_a_task_that_stops_itself_leaves_the_others_running() -> None:
+    going = module("WHILE n < 100 DO WaitTime 0.1; n := n + 1; ENDWHILE", "PERS num n := 0;")
+    stopping = module("k := 1; Stop; k := 2; Stop \\AllMoveTasks; k := 3;", "PERS num k := 0;")
+    live = Live(going, stopping)
+    live.controller.start(Cycle.ONCE)
+    live.after(1.05)
+    assert (live.value("n"), live.value("k", "T_ROB2")) == ("10", "1")
+    # A start lets those continue that are stopped.
+    live.controller.start()
+    live.after(1.0)
+    assert (live.value("n"), live.value("k", "T_ROB2")) == ("10", "2")
+    assert not live.controller.executes
+    live.controller.start()
+    live.after(1.0)
+    assert (live.value("n"), live.value("k", "T_ROB2")) == ("20", "3")
+    with pytest.raises(RequestRefused, match="executes already"):
+        live.controller.start()
+
+
 def test_an_error_stops_the_program_and_leaves_the_controller_alive() -> None:
     live = Live(module("n := n + 1; n := n / 0;", "PERS num n := 0;"))
     live.controller.start()

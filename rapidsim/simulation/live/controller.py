@@ -271,10 +271,13 @@ class LiveController:
             raise RequestRefused(RefusalReason.STATE, "steps are those of the attached debugger")
         if self.panel.state is not ControllerState.MOTORS_ON:
             raise RequestRefused(RefusalReason.STATE, "the motors are off")
-        if self.executes:
-            raise RequestRefused(RefusalReason.STATE, "the program executes already")
         if not tasks:
             raise RequestRefused(RefusalReason.STATE, "no normal task is active")
+        if self.executes:
+            # Those that their programs have stopped may continue.
+            tasks = [one for one in tasks if not (one.executes or one.has_ended)]
+        if not tasks:
+            raise RequestRefused(RefusalReason.STATE, "the program executes already")
         if any(not one.has_pointer for one in tasks):
             raise RequestRefused(RefusalReason.STATE, "the program pointer is lost; set it to main")
         self.cycle = cycle or self.cycle
@@ -291,7 +294,7 @@ class LiveController:
         if how is StopMode.CYCLE:
             self._ends_with_cycle = True
             return
-        self._stop_tasks("", how)
+        self._stop_tasks(self.normal_tasks, "", how)
         self.settle()
         self._show_states()
 
@@ -433,13 +436,13 @@ class LiveController:
 
     # Notifications from tasks: implements `live_task.TaskSupervisor`.
 
-    def stop_all(self, reason: str, place: Place) -> None:
-        """Stop all tasks, as one of the programs requests at a place."""
+    def stop_by(self, task: LiveTask, reason: str, place: Place, every: bool) -> None:
+        """Stop a task, or all, as its program requests at a place."""
         self.stopped_by = reason, place
-        self._stop_tasks(f" by {reason}")
+        self._stop_tasks(self.normal_tasks if every else (task,), f" by {reason}", StopMode.STOP)
 
-    def _stop_tasks(self, by: str, how: StopMode = StopMode.STOP) -> None:
-        for task in self.normal_tasks:
+    def _stop_tasks(self, tasks: Iterable[LiveTask], by: str, how: StopMode) -> None:
+        for task in tasks:
             task.halt_jogging()
             if task.executes:
                 task.stop(on_path=how is not StopMode.INSTRUCTION, is_quick=how is StopMode.QUICK)
@@ -491,10 +494,7 @@ class LiveController:
         for signal in self.options.io.signals:
             of = self.tasks.get((signal.task or "").lower(), self)
             value = status_value(
-                signal.status,
-                executes=of.executes,
-                failed=has_failed,
-                panel=self.panel,
+                signal.status, executes=of.executes, failed=has_failed, panel=self.panel
             )
             if value is not None and value != self.cell.signals.read(signal.name):
                 self.change_signal(signal.name, value)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from contextlib import suppress
 from dataclasses import dataclass, field, replace
+from functools import partial
 from typing import Protocol
 
 from rapidsim.analysis.program import Program, RoutineSymbol
@@ -38,8 +39,8 @@ from rapidsim.syntax import tree
 class TaskSupervisor(Protocol):
     """Supervisor of tasks: decides on stops, cycles and failures."""
 
-    def stop_all(self, reason: str, place: Place) -> None:
-        """Stop all tasks, as one of the programs requests at a place."""
+    def stop_by(self, task: LiveTask, reason: str, place: Place, every: bool) -> None:
+        """Stop a task, or all, as its program requests at a place."""
         ...
 
     def cycle_ended(self) -> bool:
@@ -179,7 +180,7 @@ class LiveTask:
         self._own_listeners = tuple(self.cell.listeners[before:])
         controller = self.run.controller
         controller.clock.set(now_s)
-        controller.execution.stops_all = self.supervisor.stop_all
+        controller.execution.stops = partial(self.supervisor.stop_by, self)
         controller.execution.resumed = self._continue_execution
         controller.execution.halted = self._after_stop
         controller.execution.restarted = self._before_continuing
