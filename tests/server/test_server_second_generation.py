@@ -103,7 +103,7 @@ def test_a_program_is_started_and_its_data_are_set_with_mastership(tmp_path: Pat
 
 
 def test_headers_name_the_version(tmp_path: Path) -> None:
-    cases = (
+    cases: tuple[tuple[str, dict[str, str], int], ...] = (
         ("GET", {"Accept": "application/json"}, 406),
         ("GET", {"Accept": "application/hal+json"}, 406),
         ("GET", {"Accept": "text/html, application/xhtml+xml; v=2.0"}, 200),

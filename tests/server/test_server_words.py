@@ -19,6 +19,8 @@ from rapidsim.server.messages import (
     Subscribe,
 )
 
+TASK = "/rw/rapid/tasks/T_ROB1"
+
 
 @pytest.fixture(scope="module")
 def switched(
@@ -275,6 +277,15 @@ def test_what_clients_leave_out_or_write_otherwise_is_found(
     sent |= {"dipc-userdef": "1", "dipc-msgtype": "1"}
     engine.reply(Request("POST", "/rw/dipc/told", {"action": "dipc-send"}, sent, 1))
     assert [one.resource for one in told if isinstance(one, ChangeEvent)] == ["/rw/dipc/told"]
+    short = {"dipc-queue-name": "short", "dipc-queue-size": "1"}
+    engine.reply(Request("POST", "/rw/dipc", {"action": "dipc-create"}, short, 1))
+    words = Request("POST", "/rw/dipc/short", {"action": "dipc-send"}, sent, 1)
+    assert [engine.reply(words).status for _ in range(2)] == [204, 400]
+    breaks = engine.live.task("T_ROB1").breakpoints
+    for action, there in (("set", {("tried", 10)}), ("clear", set[tuple[str, int]]())):
+        form = {"module": "TRIED", "row": "10"}
+        assert ask("POST", f"{TASK}/breakpoints", f"action={action}", **form).status == 204
+        assert breaks == there
     # An address without an action is not readable where only actions are.
     assert ask("GET", "/rw/rapid/symbols").status in (400, 404)
 
