@@ -84,7 +84,8 @@ def test_a_program_is_started_and_its_data_are_set_with_mastership(tmp_path: Pat
         )
         assert await client.post("rw/mastership/edit/release") == 204
         held = [await client.state(f"rw/mastership/{one}") for one in ("edit", "motion")]
-        assert [one["mastership"] for one in held] == ["nomaster", "mastership held"]
+        assert [one["mastership"] for one in held] == ["nomaster", "remote"]
+        assert [one["mastershipheldbyme"] for one in held] == ["FALSE", "TRUE"]
         start = "rw/rapid/execution/start?mastership=implicit"
         assert await client.post(start, execmode="continue", cycle="once") == 204
         assert (await client.state("rw/rapid/execution"))["ctrlexecstate"] == "running"

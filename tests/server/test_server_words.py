@@ -177,8 +177,20 @@ def test_the_mastership_of_edit_is_that_of_programs_and_configuration(
         query = {"action": action} if action else {}
         return engine.reply(Request("POST", path, query, form, session, generation)).status
 
+    def shown(path: str, session: int, generation: int) -> tuple[str, ...]:
+        reply = engine.reply(Request("GET", path, {}, {}, session, generation))
+        (item,) = reply.items  # type: ignore[union-attr]
+        names = ("uid", "application", "alias", "mastership", "mastershipheldbyme")
+        return (item.kind, *(item.fields[name] for name in names))
+
+    engine.context.sessions[1] = "me"
     for domain, also in (("edit", ("cfg", "rapid")), ("motion", ("motion",))):
+        nobody = ("msh-resource", "", "", "", "nomaster", "FALSE")
+        assert shown(f"/rw/mastership/{domain}", 1, 2) == nobody
         assert ask(f"/rw/mastership/{domain}/request", 1, 2) == 204
+        held = ("msh-resource", "1", "RobAPI2-Client", "me", "remote")
+        assert shown(f"/rw/mastership/{domain}", 1, 2) == (*held, "TRUE")
+        assert shown(f"/rw/mastership/{also[0]}", 2, 1) == (*held, "FALSE")
         for one in ("cfg", "motion", "rapid"):
             status = ask(f"/rw/mastership/{one}", 2, 1, "request")
             assert status == (403 if one in also else 204)
