@@ -415,6 +415,10 @@ async def _pages(served: Served) -> None:
     assert (system["_type"], options["_type"]) == ("sys-system-li", "sys-options-li")
     assert options["options"][0]["_type"] == "sys-option-li"
     assert system.keys() >= {"name", "rwversion", "sysid", "starttm", "rwversionname"}
+    (arm,) = await served.get("rw/system/robottype")
+    (unit,) = await served.get("rw/motionsystem/mechunits")
+    assert (arm["_title"], arm["robot-type"]) == ("1", "IRB 1600-6/1.2")
+    assert (unit["mode"], unit["activation-allowed"]) == ("Activated", "True")
     for path, kind, names in (
         ("rw/system/robottype", "sys-robottype", {"robot-type"}),
         ("rw/system/license", "sys-license", {"license"}),

@@ -84,7 +84,8 @@ def test_a_program_is_started_and_its_data_are_set_with_mastership(tmp_path: Pat
         )
         assert await client.post("rw/mastership/edit/release") == 204
         held = [await client.state(f"rw/mastership/{one}") for one in ("edit", "motion")]
-        assert [one["mastership"] for one in held] == ["nomaster", "mastership held"]
+        assert [one["mastership"] for one in held] == ["nomaster", "remote"]
+        assert [one["mastershipheldbyme"] for one in held] == ["FALSE", "TRUE"]
         start = "rw/rapid/execution/start?mastership=implicit"
         assert await client.post(start, execmode="continue", cycle="once") == 204
         assert (await client.state("rw/rapid/execution"))["ctrlexecstate"] == "running"
@@ -103,20 +104,22 @@ def test_a_program_is_started_and_its_data_are_set_with_mastership(tmp_path: Pat
 
 
 def test_headers_name_the_version(tmp_path: Path) -> None:
-    cases = (
+    cases: tuple[tuple[str, dict[str, str], int], ...] = (
         ("GET", {"Accept": "application/json"}, 406),
         ("GET", {"Accept": "application/hal+json"}, 406),
         ("GET", {"Accept": "text/html, application/xhtml+xml; v=2.0"}, 200),
         ("GET", {"Accept": "*/*"}, 200),
         ("POST", {"Content-Type": "application/x-www-form-urlencoded"}, 415),
         ("POST", {"Content-Type": "application/x-www-form-urlencoded; v=2.0"}, 400),
+        ("DELETE", {}, 400),
     )
 
     async def use(client: Client, served: Served) -> None:
         del served
         url = f"{client.base}/rw/rapid/execution"
         for method, headers, status in cases:
-            async with client.session.request(method, url, headers=headers, data=b"") as found:
+            body = None if method == "DELETE" else b""
+            async with client.session.request(method, url, headers=headers, data=body) as found:
                 assert found.status == status, headers
                 if status == 200:
                     assert found.headers["Content-Type"] == "application/xhtml+xml;v=2.0"

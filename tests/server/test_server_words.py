@@ -19,6 +19,8 @@ from rapidsim.server.messages import (
     Subscribe,
 )
 
+TASK = "/rw/rapid/tasks/T_ROB1"
+
 
 @pytest.fixture(scope="module")
 def switched(
@@ -175,8 +177,20 @@ def test_the_mastership_of_edit_is_that_of_programs_and_configuration(
         query = {"action": action} if action else {}
         return engine.reply(Request("POST", path, query, form, session, generation)).status
 
+    def shown(path: str, session: int, generation: int) -> tuple[str, ...]:
+        reply = engine.reply(Request("GET", path, {}, {}, session, generation))
+        (item,) = reply.items  # type: ignore[union-attr]
+        names = ("uid", "application", "alias", "mastership", "mastershipheldbyme")
+        return (item.kind, *(item.fields[name] for name in names))
+
+    engine.context.sessions[1] = "me"
     for domain, also in (("edit", ("cfg", "rapid")), ("motion", ("motion",))):
+        nobody = ("msh-resource", "", "", "", "nomaster", "FALSE")
+        assert shown(f"/rw/mastership/{domain}", 1, 2) == nobody
         assert ask(f"/rw/mastership/{domain}/request", 1, 2) == 204
+        held = ("msh-resource", "1", "RobAPI2-Client", "me", "remote")
+        assert shown(f"/rw/mastership/{domain}", 1, 2) == (*held, "TRUE")
+        assert shown(f"/rw/mastership/{also[0]}", 2, 1) == (*held, "FALSE")
         for one in ("cfg", "motion", "rapid"):
             status = ask(f"/rw/mastership/{one}", 2, 1, "request")
             assert status == (403 if one in also else 204)
@@ -275,6 +289,15 @@ def test_what_clients_leave_out_or_write_otherwise_is_found(
     sent |= {"dipc-userdef": "1", "dipc-msgtype": "1"}
     engine.reply(Request("POST", "/rw/dipc/told", {"action": "dipc-send"}, sent, 1))
     assert [one.resource for one in told if isinstance(one, ChangeEvent)] == ["/rw/dipc/told"]
+    short = {"dipc-queue-name": "short", "dipc-queue-size": "1"}
+    engine.reply(Request("POST", "/rw/dipc", {"action": "dipc-create"}, short, 1))
+    words = Request("POST", "/rw/dipc/short", {"action": "dipc-send"}, sent, 1)
+    assert [engine.reply(words).status for _ in range(2)] == [204, 400]
+    breaks = engine.live.task("T_ROB1").breakpoints
+    for action, there in (("set", {("tried", 10)}), ("clear", set[tuple[str, int]]())):
+        form = {"module": "TRIED", "row": "10"}
+        assert ask("POST", f"{TASK}/breakpoints", f"action={action}", **form).status == 204
+        assert breaks == there
     # An address without an action is not readable where only actions are.
     assert ask("GET", "/rw/rapid/symbols").status in (400, 404)
 

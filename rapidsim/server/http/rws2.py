@@ -60,6 +60,8 @@ class Rws2Dialect:
             if _is_log(request) and request.query.get("order") == "lifo":
                 return None if accepted[1] == _LATER_LOG else self.represent(request, _NO_LIFO)
             return None
+        if request.method == "DELETE":
+            return None
         written = _squeezed(request.headers.get("Content-Type", ""))
         if written.startswith(_FORM) or (is_file and ";v=2." in written):
             return None

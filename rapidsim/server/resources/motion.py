@@ -47,8 +47,8 @@ def non_motion_execution(context: RequestContext, request: Request) -> Answer:
 
 def units(context: RequestContext, request: Request) -> Answer:
     """All robots."""
-    del request
-    items = (_unit_item(name, "ms-mechunit-li") for name, _ in _robots(context))
+    allowed = "True" if request.generation == 1 else "true"
+    items = (_unit_item(name, allowed) for name, _ in _robots(context))
     return Answer(resources=tuple(items))
 
 
@@ -196,9 +196,9 @@ def robot_of(context: RequestContext, unit: str) -> tuple[str, LiveTask]:
     raise refused(NOT_FOUND, f"there is no mechanical unit {unit}")
 
 
-def _unit_item(name: str, kind: str) -> Item:
-    fields = {"mode": "Activated", "activation-allowed": "true", "drive-module": "0"}
-    return Item(kind, name, fields, href=f"rw/motionsystem/mechunits/{name}")
+def _unit_item(name: str, allowed: str) -> Item:
+    fields = {"mode": "Activated", "activation-allowed": allowed, "drive-module": "0"}
+    return Item("ms-mechunit-li", name, fields, href=f"rw/motionsystem/mechunits/{name}")
 
 
 def _frame(word: str) -> Coordinates:

@@ -22,6 +22,8 @@ from rapidsim.server.resources.disks import DISKS
 _OPTIONS: Final = "rw/system/options"
 _USER: Final = "Default User"
 """Name of a client that has not registered."""
+_APPLICATION: Final = "RobAPI2-Client"
+"""Name under which controllers list clients of Robot Web Services."""
 
 
 def controller(context: RequestContext, request: Request) -> Answer:
@@ -102,12 +104,14 @@ def options(context: RequestContext, request: Request) -> Answer:
 
 
 def robot_type(context: RequestContext, request: Request) -> Answer:
-    """The type of the first robot; no content if there is none."""
+    """The types of the robots; no content if there is none."""
     del request
-    for _, setup in robots(context.live.setups):
-        assert setup.robot is not None
-        return Answer((Item("sys-robottype", "robottype", {"robot-type": setup.robot.name}),))
-    return DONE
+    arms = (one.robot for _, one in robots(context.live.setups) if one.robot is not None)
+    items = tuple(
+        Item("sys-robottype", str(number), {"robot-type": arm.title.removeprefix("ABB ")})
+        for number, arm in enumerate(arms, start=1)
+    )
+    return Answer(items) if items else DONE
 
 
 def license_(context: RequestContext, request: Request) -> Answer:
@@ -127,7 +131,17 @@ def mastership(context: RequestContext, request: Request) -> Answer:
 def mastership_of(context: RequestContext, request: Request, domain: str) -> Answer:
     """Which session holds the mastership of a domain."""
     item = _domain_item(context, request, domain.lower())
-    return Answer((replace(item, kind="msh-resource", href=""),))
+    holder = _master(context, request, domain.lower())
+    is_own = holder is not None and holder == request.session
+    fields = {
+        "uid": "" if holder is None else str(holder),
+        "application": "" if holder is None else _APPLICATION,
+        "location": "",
+        "alias": "" if holder is None else context.sessions.get(holder, ""),
+        **item.fields,
+        "mastershipheldbyme": str(is_own).upper(),
+    }
+    return Answer((Item("msh-resource", item.title, fields),))
 
 
 def take_mastership(context: RequestContext, request: Request, domain: str | None = None) -> Answer:
@@ -223,9 +237,14 @@ def _domains(domain: str | None, request: Request) -> tuple[str, ...]:
 
 
 def _domain_item(context: RequestContext, request: Request, domain: str) -> Item:
-    is_held = any(one in context.masters for one in _domains(domain, request))
-    held = "mastership held" if is_held else "nomaster"
+    held = "nomaster" if _master(context, request, domain) is None else "remote"
     return Item("msh-resource-li", domain, {"mastership": held}, href=f"rw/mastership/{domain}")
+
+
+def _master(context: RequestContext, request: Request, domain: str) -> int | None:
+    """Return the session that holds the mastership of a domain; None if none does."""
+    holders = (context.masters.get(one) for one in _domains(domain, request))
+    return next((one for one in holders if one is not None), None)
 
 
 def _options(context: RequestContext, kind: str) -> tuple[Item, ...]:
