@@ -4,8 +4,8 @@ Programs exported by other software have thousands of them: moves with the numbe
 or declarations of targets and moves to them by name. A run is matched as a whole by one regular
 expression and read into columns, without an object per line. Lines that do not match exactly are
 left to the parser: another blank, a comment, a statement on two lines, an invalid number. The same
-applies to a line whose numbers a check might report, and to a name that occurs anywhere except in
-its declaration and in one move.
+applies to a line whose numbers the caller wants to be parsed, and to a name that occurs anywhere
+except in its declaration and in one move.
 
 Of each run the first two lines and the last one are parsed as well, and so are the neighbours of
 parsed lines. Findings that depend on the kind of a line or on its neighbours therefore occur at
@@ -20,18 +20,18 @@ from collections import Counter
 from collections.abc import Iterator, Sequence, Set
 from functools import lru_cache
 from itertools import compress, pairwise
-from typing import TYPE_CHECKING, Any, TypeAlias
+from typing import TYPE_CHECKING
 
 import numpy as np
 
+from rapidsim.syntax.bulk_reading import BulkReading
 from rapidsim.syntax.limits import LONGEST_NAME
 from rapidsim.syntax.stored_table import rapid_table
 from rapidsim.values import value_class
 
 if TYPE_CHECKING:
+    from rapidsim.syntax.bulk_reading import Mask
     from rapidsim.syntax.tree.bulk_statements import Numbers, Offsets
-
-    Mask: TypeAlias = np.ndarray[Any, np.dtype[np.bool_]]
 
 LEAST_LINES = 12
 """Minimum number of lines of a run; shorter ones are parsed."""
@@ -40,14 +40,6 @@ TARGET_SHAPE = (3, 4, 4, 6)
 _WIDTH = sum(TARGET_SHAPE)
 _BLOCK = 4_000_000
 """Number of characters that are read into columns at once."""
-_LARGEST = 3.4e38
-_SMALLEST = 1e-30
-_ORIENTATION_ERROR = 0.9e-4
-"""Slightly below the tolerance of every check."""
-_NEAREST_MM = 10.1
-"""Distance from the origin below which targets may have been written in metres."""
-_QUARTERS, _BRANCHES = 12, 7
-"""Largest valid quarter turn and branch in the configuration of a declared target."""
 _LEAST_STRETCH = 8
 """Minimum average number of lines of the intervals with names, below which they do not pay."""
 
@@ -98,19 +90,19 @@ class _BulkBlock:
     """Folded names; empty if targets are written out."""
 
 
-def skipped_spans(text: str, *, keeps_data: bool = False) -> tuple[SkippedSpan, ...]:
-    """Return the skipped spans of a text, in order; `keeps_data` excludes lines with names."""
+def skipped_spans(text: str, how: BulkReading) -> tuple[SkippedSpan, ...]:
+    """Return the skipped spans of a text, in order."""
     written: list[SkippedSpan] = []
     declarations: list[_BulkBlock] = []
     by_name: list[_BulkBlock] = []
     for one in _runs(text):
         if not one.names:
             assert one.numbers is not None
-            written += _cut(one, _inner(_is_plain(one.numbers)), one.numbers)
+            written += _cut(one, _inner(how.of_targets(one.numbers)), one.numbers)
         else:
             (by_name if one.numbers is None else declarations).append(one)
-    may_join = declarations and by_name and not keeps_data
-    named = _joined(text, written, declarations, by_name) if may_join else []
+    may_join = declarations and by_name and not how.keeps_data
+    named = _joined(text, written, declarations, by_name, how) if may_join else []
     return tuple(sorted([*written, *named], key=lambda one: one.like))
 
 
@@ -180,26 +172,6 @@ def _numbers(targets: str) -> Numbers:
     return read.reshape(-1, _WIDTH) if len(read) % _WIDTH == 0 else read
 
 
-def _is_plain(numbers: Numbers) -> Mask:
-    """Mask of the lines whose numbers, as written, pass all checks."""
-    size = np.abs(numbers)
-    single = ((size <= _LARGEST) & ((size >= _SMALLEST) | (size == 0.0))).all(axis=1)
-    away = np.sqrt((numbers[:, :3] ** 2).sum(axis=1)) >= _NEAREST_MM
-    length = np.sqrt((numbers[:, 3:7] ** 2).sum(axis=1))
-    plain: Mask = single & away & (np.abs(length - 1.0) <= _ORIENTATION_ERROR)
-    return plain
-
-
-def _is_plain_data(numbers: Numbers) -> Mask:
-    """Mask of the declared targets that also pass the checks of configuration and external axes."""
-    configuration = numbers[:, 7:11]
-    plain: Mask = _is_plain(numbers) & (configuration == np.rint(configuration)).all(axis=1)
-    plain &= (np.abs(configuration[:, :3]) <= _QUARTERS).all(axis=1)
-    plain &= (configuration[:, 3] >= 0.0) & (configuration[:, 3] <= _BRANCHES)
-    plain &= (numbers[:, 11:] == numbers[0, 11:]).all(axis=1)
-    return plain
-
-
 def _inner(plain: Mask) -> Mask:
     """Mask of the plain lines after two plain ones and before one; the others are parsed."""
     inner = plain.copy()
@@ -241,6 +213,7 @@ def _joined(
     written: Sequence[SkippedSpan],
     declarations: Sequence[_BulkBlock],
     by_name: Sequence[_BulkBlock],
+    how: BulkReading,
 ) -> list[SkippedSpan]:
     """Return the spans of declarations and of moves by their names; empty if they are few.
 
@@ -249,7 +222,7 @@ def _joined(
     tables = [run.numbers for run in declarations if run.numbers is not None]
     columns = np.concatenate(tables)
     places = np.concatenate([run.lines[:-1] for run in declarations])
-    inner = np.concatenate([_inner(_is_plain_data(table)) for table in tables])
+    inner = np.concatenate([_inner(how.of_declared(table)) for table in tables])
     names = [name for run in declarations for name in run.names]
     row_of = {name: row for row, name in enumerate(names)}
     # For each move by name the row of its declaration; -1 without one in a run.

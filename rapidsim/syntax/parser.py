@@ -24,6 +24,7 @@ from rapidsim.syntax.violations import RepeatedClause
 from rapidsim.values import value_class
 
 if TYPE_CHECKING:
+    from rapidsim.syntax.bulk_reading import BulkReading
     from rapidsim.syntax.bulk_statements import SkippedSpan
 
 
@@ -45,21 +46,20 @@ class Parsed:
 
 
 @gc_paused()
-def parse(source: Source, *, runs_of: int | None = None, keeps_data: bool = False) -> Parsed:
+def parse(source: Source, bulk: BulkReading | None = None) -> Parsed:
     """Read a file.
 
     Args:
         source: Its text.
-        runs_of: Exclude bulk moves from the tree, as columns of their modules, if there are more
-            than this number of statements; None keeps all in the tree.
-        keeps_data: Keep declarations, and moves to declared targets, in the tree.
+        bulk: Which bulk statements are columns of their modules instead of nodes of the tree; None
+            keeps all in the tree.
 
     Returns:
         All modules in the text, with `tree.InvalidStatement` for unreadable statements, and every
         error of syntax and of size. Errors that require names or types are not detected.
     """
-    if runs_of is not None and may_have_runs(source.text, runs_of):
-        parsed = _parsed_with_runs(source, runs_of, keeps_data=keeps_data)
+    if bulk is not None and may_have_runs(source.text, bulk.more_than):
+        parsed = _parsed_with_runs(source, bulk)
         if parsed is not None:
             return parsed
     return _parsed(source, ())
@@ -70,13 +70,13 @@ def may_have_runs(text: str, runs_of: int) -> bool:
     return len(text) > runs_of * _SHORTEST_MOVE
 
 
-def _parsed_with_runs(source: Source, runs_of: int, *, keeps_data: bool) -> Parsed | None:
+def _parsed_with_runs(source: Source, bulk: BulkReading) -> Parsed | None:
     """Parse a file without its bulk statements; None if they are too few, or some do not fit."""
     # Most files have none, and the module imports numpy.
     from rapidsim.syntax.bulk_statements import skipped_spans  # noqa: PLC0415
 
-    found = skipped_spans(source.text, keeps_data=keeps_data)
-    if sum(len(one.numbers) for one in found if not one.names) <= runs_of:
+    found = skipped_spans(source.text, bulk)
+    if sum(len(one.numbers) for one in found if not one.names) <= bulk.more_than:
         return None
     parsed = _parsed(source, [(int(one.lines[0]), int(one.lines[-1])) for one in found])
     modules = tuple(_with_runs(module, found) for module in parsed.file.modules)

@@ -10,6 +10,7 @@ import pytest
 from exports import export
 
 from rapidsim.diagnostics import Source
+from rapidsim.jobs.checking.bulk_representatives import bulk_reading
 from rapidsim.language.single_precision import single
 from rapidsim.syntax import tree
 from rapidsim.syntax.bulk_rows import statement_of
@@ -46,7 +47,7 @@ def test_rows_are_the_statements_that_the_parser_reads(old: str, new: str) -> No
     text = export("mixed", "tilted", 130)
     text = text.replace(old, new) if old else text
     source = Source("export.mod", text)
-    (whole,), (left_out,) = (parse(source, runs_of=few).file.modules for few in (None, 40))
+    (whole,), (left_out,) = (parse(source, few).file.modules for few in (None, bulk_reading(40)))
     assert not whole.runs
     assert sum(len(run) for run in left_out.runs) > 100
     by_place = {one.start: one for one in whole.routines[0].body}
@@ -67,5 +68,5 @@ def test_rows_are_the_statements_that_the_parser_reads(old: str, new: str) -> No
 
 def test_a_text_with_few_of_them_has_no_runs() -> None:
     source = Source("export.mod", export("inline", "raster", 40))
-    assert not parse(source, runs_of=40).file.modules[0].runs
-    assert parse(source, runs_of=30).file.modules[0].runs
+    assert not parse(source, bulk_reading(40)).file.modules[0].runs
+    assert parse(source, bulk_reading(30)).file.modules[0].runs

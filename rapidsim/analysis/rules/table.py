@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable
 from enum import Enum
+from typing import TYPE_CHECKING
 
 from rapidsim.analysis.program_parts import Facts
 from rapidsim.analysis.rules.control_flow import (
@@ -48,6 +49,10 @@ from rapidsim.diagnostics import Diagnostic, Rule, Violation
 from rapidsim.language.target_violations import QuaternionNotUnit
 from rapidsim.values import value_class
 
+if TYPE_CHECKING:
+    from rapidsim.syntax.bulk_reading import Mask
+    from rapidsim.syntax.tree.bulk_statements import Numbers
+
 
 class RuleScope(Enum):
     """The text on which the findings of a detector depend."""
@@ -72,6 +77,11 @@ class Detector:
     find: Callable[[Facts], Iterable[Diagnostic]]
     rules: tuple[type[Violation], ...]
     scope: RuleScope = RuleScope.ROUTINE
+    of_targets: Callable[[Numbers], Mask] | None = None
+    """Returns which targets (k,) of numbers (k, 17), as written, the detector has no reason to look
+    at by themselves; None if it looks at no numbers of targets."""
+    of_declared: Callable[[Numbers], Mask] | None = None
+    """The same for targets that are declared."""
 
 
 DETECTORS = (
@@ -121,15 +131,33 @@ DETECTORS = (
     Detector(never_set.find_never_set, (never_set.ReadBeforeSet,), RuleScope.TASK),
     Detector(traps.find_trap_hazards, (traps.TrapHazard,)),
     Detector(traps.find_never_connected, (traps.NeverConnected,), RuleScope.TASK),
-    Detector(orientations.find_bad_orientations, (QuaternionNotUnit,)),
+    Detector(
+        orientations.find_bad_orientations,
+        (QuaternionNotUnit,),
+        of_targets=orientations.have_unit_length,
+    ),
     Detector(zones.find_behind_zones, (zones.ZoneBeforeWait, zones.OutputInZone), RuleScope.TASK),
     Detector(tools.find_mixed_frames, (tools.ToolOrWobjMissing,), RuleScope.TASK),
     Detector(tools.find_bad_loads, (tools.BadLoadData,)),
     Detector(tools.find_holding_mismatch, (tools.StationaryToolMismatch,)),
-    Detector(target_data.find_external_axes, (target_data.ExternalAxisValue,), RuleScope.TASK),
-    Detector(target_data.find_bad_confdata, (target_data.BadConfdata,)),
+    Detector(
+        target_data.find_external_axes,
+        (target_data.ExternalAxisValue,),
+        RuleScope.TASK,
+        of_declared=target_data.have_axes_alike,
+    ),
+    Detector(
+        target_data.find_bad_confdata,
+        (target_data.BadConfdata,),
+        of_declared=target_data.have_good_confdata,
+    ),
     Detector(target_data.find_duplicates, (target_data.DuplicateTargets,), RuleScope.TASK),
-    Detector(units.find_metres, (units.MetresOrRadians,), RuleScope.TASK),
+    Detector(
+        units.find_metres,
+        (units.MetresOrRadians,),
+        RuleScope.TASK,
+        of_targets=units.are_away_from_base,
+    ),
     Detector(units.find_slow_speeds, (units.MetresOrRadians,), RuleScope.TASK),
     Detector(units.find_radians, (units.MetresOrRadians,)),
     Detector(

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterable, Sequence
+from typing import TYPE_CHECKING
 
 from rapidsim.analysis.cell_names import CellNames
 from rapidsim.analysis.context import MOST_COMPARED
@@ -11,15 +12,51 @@ from rapidsim.analysis.installed import installed_symbol, installed_type
 from rapidsim.analysis.names.name_violations import UndefinedName, UnseenName
 from rapidsim.analysis.program import does
 from rapidsim.analysis.rules.motion.target_data import declares_axes_alike_targets
+from rapidsim.analysis.rules.table import DETECTORS
 from rapidsim.analysis.suggestions import closest
 from rapidsim.analysis.tree_walk import descendants
 from rapidsim.diagnostics import Diagnostic
 from rapidsim.jobs.checking.row_findings import repeat_findings
 from rapidsim.jobs.inputs.text_identifiers import words_of
+from rapidsim.language.single_precision import LARGEST_SINGLE
 from rapidsim.library.traits import Trait
 from rapidsim.syntax import tree
+from rapidsim.syntax.bulk_reading import BulkReading
 
+if TYPE_CHECKING:
+    from rapidsim.syntax.bulk_reading import Mask
+    from rapidsim.syntax.tree.bulk_statements import Numbers
+
+_SMALLEST = 1e-30
+"""Smaller numbers lose digits in single precision."""
 _BY_NAME = Trait.READ_BY_NAME | Trait.WRITE_BY_NAME | Trait.LOAD
+
+
+def bulk_reading(more_than: int, *, keeps_data: bool = False) -> BulkReading:
+    """Return how bulk statements are read; see `BulkReading`.
+
+    Rules declare in their table which targets they have no reason to look at by themselves.
+    """
+    return BulkReading(more_than, _are_plain, _are_plain_data, keeps_data)
+
+
+def _are_plain(targets: Numbers) -> Mask:
+    """Which targets (k,) of numbers (k, 17), as written, are of no interest by themselves."""
+    size = abs(targets)
+    plain: Mask = ((size < LARGEST_SINGLE) & ((size >= _SMALLEST) | (size == 0.0))).all(axis=1)
+    for detector in DETECTORS:
+        if detector.of_targets is not None:
+            plain &= detector.of_targets(targets)
+    return plain
+
+
+def _are_plain_data(targets: Numbers) -> Mask:
+    """The same for declared targets."""
+    plain = _are_plain(targets)
+    for detector in DETECTORS:
+        if detector.of_declared is not None:
+            plain &= detector.of_declared(targets)
+    return plain
 
 
 def findings_of_all(

@@ -21,7 +21,7 @@ from rapidsim.diagnostics import Diagnostic
 from rapidsim.findings.collisions import is_of_cell
 from rapidsim.findings.runs import EndlessWait, UncaughtError, is_of_runs
 from rapidsim.jobs.checking.baseline import read_baseline
-from rapidsim.jobs.checking.bulk_representatives import findings_of_all
+from rapidsim.jobs.checking.bulk_representatives import bulk_reading, findings_of_all
 from rapidsim.jobs.checking.check_result import CheckResult
 from rapidsim.jobs.checking.checked_program import LoadedProgram, load_task
 from rapidsim.jobs.checking.error_free_subset import ErrorFreeSubset, error_free_subset
@@ -282,7 +282,7 @@ def _loaded(task: TaskFiles, rules: Sequence[Find], cell: CellNames) -> LoadedPr
     Only rules that are on by default support bulk statements.
     """
     if frozenset(rules) <= frozenset(detectors_of()):
-        loaded = load_task(task, cell, rules, runs_of=MOST_MOVES)
+        loaded = load_task(task, cell, rules, bulk=bulk_reading(MOST_MOVES))
         with suppress(RunNotFollowedError):
             found = findings_of_all(loaded.files, loaded.diagnostics, cell)
             if found is not None:

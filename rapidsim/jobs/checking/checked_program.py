@@ -13,6 +13,7 @@ from rapidsim.files import SourceFile
 from rapidsim.jobs.checking.stubbed_program import stubbed_program
 from rapidsim.module_files import TaskFiles
 from rapidsim.syntax import tree
+from rapidsim.syntax.bulk_reading import BulkReading
 from rapidsim.syntax.parser import parse
 from rapidsim.values import value_class
 from rapidsim.workspace.guesses import without_guesses
@@ -35,8 +36,7 @@ def load(
     cell: CellNames = NO_CELL,
     unseen: Sequence[str] = (),
     refers_late: bool = False,
-    runs_of: int | None = None,
-    keeps_data: bool = False,
+    bulk: BulkReading | None = None,
 ) -> LoadedProgram:
     """Parse and check the modules of one task; errors in them are findings, never raised.
 
@@ -46,11 +46,10 @@ def load(
         cell: Names that the configuration declares in addition to the modules.
         unseen: Modules of the task that cannot be read.
         refers_late: Whether its controller allows unresolved references.
-        runs_of: See `parse`.
-        keeps_data: See `parse`.
+        bulk: See `parse`.
     """
     sources = (Source(file.name, file.text) for file in files)
-    parsed = [parse(one, runs_of=runs_of, keeps_data=keeps_data) for one in sources]
+    parsed = [parse(one, bulk) for one in sources]
     trees = tuple(one.file for one in parsed)
     names = replace(cell, unseen=tuple(unseen), refers_late=refers_late)
     checked = check(trees, rules, cell=names)
@@ -70,8 +69,7 @@ def load_task(
     cell: CellNames,
     rules: Sequence[Find] = (),
     *,
-    runs_of: int | None = None,
-    keeps_data: bool = False,
+    bulk: BulkReading | None = None,
 ) -> LoadedProgram:
     """Parse and check a task, with the known facts about its modules; see `load`."""
     return load(
@@ -80,6 +78,5 @@ def load_task(
         cell=cell,
         unseen=task.unseen,
         refers_late=task.refers_late,
-        runs_of=runs_of,
-        keeps_data=keeps_data,
+        bulk=bulk,
     )

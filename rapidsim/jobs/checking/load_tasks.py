@@ -10,7 +10,7 @@ from rapidsim.analysis.program import DataSymbol, LibrarySymbol, Program
 from rapidsim.diagnostics import Diagnostic, Related, Span, Violation
 from rapidsim.interpreter.runtime.memory import module_data
 from rapidsim.interpreter.runtime.shared_persistents import disagreements, may_be_shared
-from rapidsim.jobs.checking.bulk_representatives import findings_of_all
+from rapidsim.jobs.checking.bulk_representatives import bulk_reading, findings_of_all
 from rapidsim.jobs.checking.checked_program import LoadedProgram, load_task
 from rapidsim.library.traits import Trait
 from rapidsim.module_files import TaskFiles
@@ -95,7 +95,8 @@ def load_tasks(
 
 def _in_runs(task: TaskFiles, cell: CellNames, *, keeps_data: bool) -> LoadedProgram:
     """Load a task with long sequences of moves as columns, if the moves have no findings."""
-    loaded = load_task(task, cell, runs_of=MOST_STATEMENTS, keeps_data=keeps_data)
+    bulk = bulk_reading(MOST_STATEMENTS, keeps_data=keeps_data)
+    loaded = load_task(task, cell, bulk=bulk)
     modules = [module for file in loaded.files for module in file.modules]
     runs = [run for module in modules for run in module.runs]
     if not runs:

@@ -126,27 +126,35 @@ class JointsOnPath:
         near = self.near(s, self.layout.course(s, piece).value)
         return motion, self.arms.joints(motion, self.layout.row[piece], near)[0]
 
-    def at(self, s: Array) -> Array:
-        """Return joints, followed by external axes, (k, n + e) at s (k,) [m] on the path."""
+    def at(self, s: Array, *, quick: bool = False) -> Array:
+        """Return joints, followed by external axes, (k, n + e) at s (k,) [m] on the path.
+
+        With `quick`, those on lines are of the closed form, which rounds otherwise.
+        """
         piece = self.layout.piece_at(s)
         joints = np.empty((len(s), self.nodes.joints.shape[1]))
         on_curve, in_joints = self.spaces(piece)
         if len(on_curve):
-            joints[on_curve] = self._on_curves(s[on_curve], piece[on_curve])
+            reach = self._on_lines if quick else self._in_space
+            joints[on_curve] = reach(s[on_curve], piece[on_curve])
         if len(in_joints):
             joints[in_joints] = self._in_joint_space(s[in_joints], piece[in_joints])
         return joints
 
-    def _on_curves(self, s: Array, piece: Index) -> Array:
+    def _in_space(self, s: Array, piece: Index) -> Array:
         """Return joints (k, n + e) on Cartesian curves and in their corners."""
+        return self.in_space(s, piece)[1]
+
+    def _on_lines(self, s: Array, piece: Index) -> Array:
+        """Return the same by the closed form where there is one."""
         if self.lines is None:
-            return self.in_space(s, piece)[1]
+            return self._in_space(s, piece)
         joints, holds = self.lines.joints(s, piece)
         # Arms with such lines have no external axes.
         joints = in_turn_of(joints, holds, self.near(s, np.zeros((len(s), 0))))
         others = np.flatnonzero(~holds)
         if len(others):
-            joints[others] = self.in_space(s[others], piece[others])[1]
+            joints[others] = self._in_space(s[others], piece[others])
         return joints
 
     def _in_joint_space(self, s: Array, piece: Index) -> Array:

@@ -270,9 +270,9 @@ class Path:
         """Inverse kinematics of the path."""
         return JointsOnPath(self.layout, self.arms, self.nodes, self.lines)
 
-    def joints_at(self, s: Array) -> Array:
-        """Return joints, followed by external axes, (k, n + e) at s (k,) [m]; see `evaluate`."""
-        return self.joints_on.at(np.clip(s, 0.0, self.length))
+    def joints_at(self, s: Array, *, quick: bool = False) -> Array:
+        """Return joints, followed by external axes, (k, n + e) at s (k,) [m]; see `joints_on`."""
+        return self.joints_on.at(np.clip(s, 0.0, self.length), quick=quick)
 
     def evaluate(self, s: Array) -> PathPoints:
         """Return the arm at s (k,) [m], exactly on the path."""

@@ -97,9 +97,10 @@ class PartPath(_CommonPath):
         """Planned corner at the end of each segment of the robot."""
         return self.own.corners
 
-    def joints_at(self, s: Array) -> Array:
+    def joints_at(self, s: Array, *, quick: bool = False) -> Array:
         """Return joints at values of the common parameter; see `Path.joints_at`."""
-        return self.own.joints_at(self.progress.place(*self._pieces(s)))[:, : self.axis_count]
+        place = self.progress.place(*self._pieces(s))
+        return self.own.joints_at(place, quick=quick)[:, : self.axis_count]
 
     def evaluate(self, s: Array) -> PathPoints:
         """Return the arm at values s (k,) [m] of the common parameter."""

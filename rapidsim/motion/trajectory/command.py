@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
+from functools import partial
 
 import numpy as np
 import numpy.typing as npt
@@ -375,19 +376,19 @@ class MotionCommand:
             found.append((number, float(start[_Column.PLACE]), end_m))
         return found
 
-    def joints_at(self, times: Array) -> Array:
-        """Return joints of the arm, then external axes, (k, n + e) at times (k,) [s]."""
+    def joints_at(self, times: Array, *, quick: bool = False) -> Array:
+        """Return joints, then external axes, (k, n + e) at times (k,) [s]; see `Path.joints_at`."""
         row = self.row_at(times)
         joints = np.zeros((len(times), self.axis_count))
         for path, s, at, _ in self.on_paths(row, self.state(row, times)[0]):
-            joints[at, : path.axis_count] = path.joints_at(s)
+            joints[at, : path.axis_count] = path.joints_at(s, quick=quick)
         return joints
 
     def joints_in_parts(self, part: Index) -> Array:
         """Return joints (k, places, n + e) in parts of equal width; see `even_joints`."""
         if self._even_joints is None:
             self._even_joints = EvenJoints(self.end)
-        return self._even_joints.at(part, self.joints_at)
+        return self._even_joints.at(part, partial(self.joints_at, quick=True))
 
     def nodes_between(self, first_s: float, last_s: float) -> Array:
         """Return times [s] of acceleration changes, in all rows from one instant to another."""

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
+from typing import TYPE_CHECKING
 
 from rapidsim.analysis.names.user_types import literal_value
 from rapidsim.analysis.program_parts import Facts, ProgramPart
@@ -14,8 +15,19 @@ from rapidsim.language.target_violations import TOLERATED_NORM_ERROR, Quaternion
 from rapidsim.language.types import ArrayOf, Record, Type, resolved
 from rapidsim.syntax import tree
 
+if TYPE_CHECKING:
+    from rapidsim.syntax.bulk_reading import Mask
+    from rapidsim.syntax.tree.bulk_statements import Numbers
+
 _TYPO = 0.1
 """Deviation of the length from 1 beyond which a number is wrong; normalising would hide that."""
+
+
+def have_unit_length(targets: Numbers) -> Mask:
+    """Return which targets (k,) of numbers (k, 17) have orientations of length 1, by a margin."""
+    length = (targets[:, 3:7] ** 2).sum(axis=1) ** 0.5
+    good: Mask = abs(length - 1.0) <= 0.9 * TOLERATED_NORM_ERROR
+    return good
 
 
 def find_bad_orientations(facts: Facts) -> Iterator[Diagnostic]:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from typing import TypeAlias
+from typing import TYPE_CHECKING, TypeAlias
 
 from rapidsim.analysis.program_parts import Facts, ProgramPart
 from rapidsim.analysis.rules.facts.known_values import Value, known_value, numbers
@@ -12,6 +12,10 @@ from rapidsim.diagnostics import Diagnostic, Related, Violation
 from rapidsim.syntax import tree
 from rapidsim.values import value_class
 
+if TYPE_CHECKING:
+    from rapidsim.syntax.bulk_reading import Mask
+    from rapidsim.syntax.tree.bulk_statements import Numbers
+
 _UNUSED = 8.9e9
 """Value from which external axes are not connected: 9E9, written in various forms."""
 _ALSO_UNUSED = (0.0, 9999.0)
@@ -19,6 +23,9 @@ _ALSO_UNUSED = (0.0, 9999.0)
 _CONFIGURATION, _EXTERNAL = 2, 3
 _QUARTERS = 12
 """Three revolutions of an axis in either direction; robot axes turn no further."""
+
+
+_LAST_BRANCH = 7
 
 
 class ExternalAxisValue(Violation, code="M510"):
@@ -51,6 +58,20 @@ class _Target:
 
 
 _AxisUses: TypeAlias = "dict[tuple[int, bool], list[_Target]]"
+
+
+def have_axes_alike(targets: Numbers) -> Mask:
+    """Return which targets (k,) of numbers (k, 17) have the external axes of the first."""
+    alike: Mask = (targets[:, 11:] == targets[0, 11:]).all(axis=1)
+    return alike
+
+
+def have_good_confdata(targets: Numbers) -> Mask:
+    """Return which targets (k,) of numbers (k, 17) have valid configuration data of six axes."""
+    turns, branch = targets[:, 7:10], targets[:, 10]
+    good: Mask = (targets[:, 7:11] % 1.0 == 0.0).all(axis=1)
+    good &= (abs(turns) <= _QUARTERS).all(axis=1) & (branch >= 0.0) & (branch <= _LAST_BRANCH)
+    return good
 
 
 def find_external_axes(facts: Facts) -> Iterator[Diagnostic]:
@@ -165,7 +186,7 @@ def _allowed(component: str, cf: float) -> str | None:
         # Arms with seven axes: four binary choices, one digit each.
         is_seven = cf.is_integer() and len(digits) == 4 and digits[0] in "0145"
         is_seven = is_seven and set(digits[1:]) <= {"0", "1", "4", "5"}
-        fits = cf.is_integer() and (0 <= cf <= 7 or is_seven)
-        return None if fits else "0 to 7"
+        fits = cf.is_integer() and (0 <= cf <= _LAST_BRANCH or is_seven)
+        return None if fits else f"0 to {_LAST_BRANCH}"
     fits = cf.is_integer() and abs(cf) <= _QUARTERS
     return None if fits else "a whole number of quarter turns"

@@ -9,6 +9,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 from itertools import pairwise
+from typing import TYPE_CHECKING
 
 from rapidsim.analysis.program import DataSymbol, Scope, Storage, Symbol
 from rapidsim.analysis.program_parts import Facts, ProgramPart
@@ -20,6 +21,10 @@ from rapidsim.diagnostics import Diagnostic, Related, Severity, Violation
 from rapidsim.library.predefined import DATA
 from rapidsim.library.traits import Trait
 from rapidsim.syntax import tree
+
+if TYPE_CHECKING:
+    from rapidsim.syntax.bulk_reading import Mask
+    from rapidsim.syntax.tree.bulk_statements import Numbers
 
 _NEAREST_TARGET_MM = 10.0
 """Distance to the centre of its base within which no arm can move a tool."""
@@ -56,6 +61,13 @@ class MetresOrRadians(Violation, code="M516"):
     def severity(self) -> Severity:
         """Error if a whole routine shows it."""
         return Severity.ERROR if self.is_certain else self.rule.severity
+
+
+def are_away_from_base(targets: Numbers) -> Mask:
+    """Return which targets (k,) of numbers (k, 17) are written in mm, by a margin."""
+    distance_mm = (targets[:, :3] ** 2).sum(axis=1) ** 0.5
+    away: Mask = distance_mm >= 1.01 * _NEAREST_TARGET_MM
+    return away
 
 
 def find_metres(facts: Facts) -> Iterator[Diagnostic]:
