@@ -12,7 +12,12 @@ from rapidsim.frames.transform import Array
 from rapidsim.motion.geometry.segments import Speed
 from rapidsim.motion.model import MotionModel, Smoothing
 from rapidsim.motion.timing.planning import plan
-from rapidsim.motion.timing.smoothed_speed_limits import deciding_points, held_speeds
+from rapidsim.motion.timing.smoothed_speed_limits import (
+    _decide_by_lines,
+    deciding_points,
+    held_speeds,
+)
+from rapidsim.motion.timing.smoothed_speed_loops import decide_by_lines
 
 WINDOW_S = 0.08
 PLACES = np.linspace(0.0, 0.6, 1201)
@@ -52,6 +57,32 @@ def test_the_deciding_point_is_slow_where_the_held_speed_is_low(knots: list[floa
     assert (np.abs(PLACES[deciding] - PLACES) <= near_m).all()
     assert (deciding[held >= speeds] == np.flatnonzero(held >= speeds)).all()
     assert (0.4 * speeds[deciding] <= held).all()
+
+
+@given(
+    knots=st.lists(st.floats(0.05, 1.0), min_size=2, max_size=9),
+    wanted=st.sets(st.integers(0, len(PLACES) - 1), min_size=1, max_size=20),
+)
+def test_what_decides_at_a_point_depends_on_no_other_wanted_one(
+    knots: list[float], wanted: set[int]
+) -> None:
+    speeds = np.interp(PLACES, np.linspace(0.0, 0.6, len(knots)), knots)
+    some, everywhere = np.array(sorted(wanted)), np.arange(len(PLACES))
+    deciding = deciding_points(PLACES, speeds, some, WINDOW_S)
+    assert (deciding == deciding_points(PLACES, speeds, everywhere, WINDOW_S)[some]).all()
+
+
+@given(knots=st.lists(st.floats(0.05, 1.0), min_size=2, max_size=9))
+def test_the_loop_over_lines_decides_as_the_columns_do(knots: list[float]) -> None:
+    speeds = np.interp(PLACES, np.linspace(0.0, 0.6, len(knots)), knots)
+    found = []
+    for decide in (decide_by_lines, _decide_by_lines):
+        deciding, lowest = np.arange(20), np.full(20, 0.7)
+        at, wanted = np.arange(1, 21), np.arange(100, 120)
+        slopes, first = np.resize([1.0, -2.0, 0.5], 20), np.resize([0, 3, 5], 20)
+        decide(deciding, lowest, PLACES, speeds, slopes, at, wanted, first, first + 9)
+        found.append((deciding.tolist(), lowest.tolist()))
+    assert found[0] == found[1]
 
 
 def test_of_two_equal_dips_the_first_decides() -> None:

@@ -22,7 +22,7 @@ from rapidsim.motion.timing.constraints import Limiter, Quantity
 from rapidsim.motion.timing.problem import HELD_BEND, Problem
 from rapidsim.motion.timing.smoothed_speed_limits import deciding_points
 from rapidsim.motion.timing.stages import fastest, rows_along, weights_of
-from rapidsim.motion.timing.time_optimal import StageMotion
+from rapidsim.motion.timing.time_optimal import StageMotion, between_stops
 from rapidsim.motion.timing.time_scaling import Numbers, TimeScaling
 
 _FULL = 1e-4
@@ -104,9 +104,11 @@ def _of_caps(problem: Problem, motion: StageMotion, capped: Mask) -> Index:
     cycle = lowered & (most >= (1.0 - _EQUAL) * in_zones)
     held = lowered & ~cycle
     source = np.arange(len(own))
-    if held.any():
-        middle = motion.stages.places[:, 1]
-        source[held] = deciding_points(middle, own, np.flatnonzero(held), problem.path.window)
+    middle = motion.stages.places[:, 1]
+    for part in between_stops(problem, stages) if held.any() else ():
+        wanted = np.flatnonzero(held[part])
+        deciding = deciding_points(middle[part], own[part], wanted, problem.path.window)
+        source[part.start + wanted] = part.start + deciding
     number = np.zeros(len(own), dtype=np.int64)
     evaluated = np.unique(source[capped])
     number[evaluated] = _slowest_rows(problem, motion, evaluated)

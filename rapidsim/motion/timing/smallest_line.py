@@ -13,7 +13,7 @@ import numpy as np
 
 from rapidsim.frames.transform import Array
 
-_LANE = 256
+_LANE = 64
 _WORTH_LANES = 1024
 
 

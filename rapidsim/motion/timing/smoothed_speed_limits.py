@@ -31,6 +31,8 @@ _LEVEL = 2e-4
 """Share of its speed by which a line may change over the window and still count as level."""
 _STEEP = 1.0
 """Share by which it changes at most; more needs a longer series of the shift."""
+_WIDEST = 1.0 + _STEEP / 6.0 + 1e-9
+"""Factor on the half width of a level line that covers the shift of any other."""
 _PAIRS = 2_000_000
 """Number of pairs of a line and a point evaluated at once, which bounds the memory."""
 
@@ -72,26 +74,25 @@ def deciding_points(places: Array, speeds: Array, wanted: Index, window: float) 
         wanted: Points, ascending, shape (j,).
         window: The filter time [s].
     """
-    slopes, first, after = _lines(places, speeds, np.arange(len(places)), window)
+    # The lines of other points end before each wanted one.
+    wanted_before = np.searchsorted(wanted, np.arange(len(places) + 1))
+    first, after = spans_around(places, places, _WIDEST * speeds, window)
+    at = np.flatnonzero(wanted_before[after] > wanted_before[first])
+    slopes, first, after = _lines(places, speeds, at, window)
     level, sloped = np.flatnonzero(slopes == 0.0), np.flatnonzero(slopes)
     # A level line has one value, so that its number in order of these decides everywhere.
-    level = level[np.argsort(speeds[level], kind="stable")]
+    level = level[np.argsort(speeds[at[level]], kind="stable")]
     numbers = np.arange(float(len(level)))
     order = lowest_over(first[level], after[level], numbers, len(places))[wanted]
     covered = np.isfinite(order)
     deciding, lowest = wanted.copy(), np.full(len(wanted), np.inf)
-    deciding[covered] = level[order[covered].astype(np.int64)]
+    deciding[covered] = at[level[order[covered].astype(np.int64)]]
     lowest[covered] = speeds[deciding[covered]]
-    ends = (np.searchsorted(wanted, end[sloped]) for end in (first, after))
-    for number, other in _pairs(*ends):
-        line = sloped[number]
-        values = speeds[line] + slopes[line] * (places[wanted[other]] - places[line])
-        before = lowest.copy()
-        np.minimum.at(lowest, other, values)
-        is_first = (values < before[other]) | (line < deciding[other])
-        # Of equal lines the first one counts: it is written last.
-        least = np.flatnonzero((values == lowest[other]) & is_first)[::-1]
-        deciding[other[least]] = line[least]
+    ends = (wanted_before[end[sloped]] for end in (first, after))
+    kernel = jit_function(smoothed_speed_loops, "decide_by_lines", len(places))
+    (kernel or _decide_by_lines)(
+        deciding, lowest, places, speeds, slopes[sloped], at[sloped], wanted, *ends
+    )
     return np.where(lowest < speeds[wanted], deciding, wanted)
 
 
@@ -151,6 +152,29 @@ def _keep_below_lines(
     for line, other in _pairs(first, after):
         own = at[line]
         np.minimum.at(bounded, other, speeds[own] + slopes[line] * (places[other] - places[own]))
+
+
+def _decide_by_lines(
+    deciding: Index,
+    lowest: Array,
+    places: Array,
+    speeds: Array,
+    slopes: Array,
+    at: Index,
+    wanted: Index,
+    first: Index,
+    after: Index,
+) -> None:
+    """Do what `smoothed_speed_loops.decide_by_lines` does, by columns."""
+    for number, other in _pairs(first, after):
+        line = at[number]
+        values = speeds[line] + slopes[number] * (places[wanted[other]] - places[line])
+        before = lowest.copy()
+        np.minimum.at(lowest, other, values)
+        is_first = (values < before[other]) | (line < deciding[other])
+        # Of equal lines the first one counts: it is written last.
+        least = np.flatnonzero((values == lowest[other]) & is_first)[::-1]
+        deciding[other[least]] = line[least]
 
 
 def _pairs(first: Index, after: Index) -> Iterator[tuple[Index, Index]]:

@@ -32,4 +32,37 @@ def keep_below_lines(
             bounded[other] = min(bounded[other], speed + slope * (places[other] - middle))
 
 
-COMPILED = (keep_below_lines,)
+def decide_by_lines(
+    deciding: Index,
+    lowest: Array,
+    places: Array,
+    speeds: Array,
+    slopes: Array,
+    at: Index,
+    wanted: Index,
+    first: Index,
+    after: Index,
+) -> None:
+    """Lower speeds (w,) [m/s] at wanted points to lines, and note the lines that decide.
+
+    Args:
+        deciding: Points (w,) of the lines that decide so far; of equal ones the first decides.
+        lowest: Lowest speeds (w,) [m/s] so far, lowered in place.
+        places: Shape (k,) [m].
+        speeds: Shape (k,) [m/s], through which the lines go.
+        slopes: Shape (j,) [1/s].
+        at: The points of the lines, shape (j,).
+        wanted: Points, shape (w,).
+        first: First wanted one of each line, shape (j,).
+        after: Wanted one after its last, shape (j,).
+    """
+    for number in range(len(at)):
+        line = at[number]
+        middle, speed, slope = places[line], speeds[line], slopes[number]
+        for other in range(first[number], after[number]):
+            value = speed + slope * (places[wanted[other]] - middle)
+            if value < lowest[other] or (value == lowest[other] and line < deciding[other]):
+                lowest[other], deciding[other] = value, line
+
+
+COMPILED = (keep_below_lines, decide_by_lines)

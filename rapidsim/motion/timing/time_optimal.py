@@ -120,7 +120,7 @@ def drive(
                 _command_speeds(
                     stages.places[part], speeds[part], division.needed[part], problem.path.window
                 )
-                for part in _between_stops(problem, stages)
+                for part in between_stops(problem, stages)
             ]
         )
     in_zones = problem.path.zone_speed
@@ -133,7 +133,7 @@ def drive(
     return StageMotion(own, x, fastest_start, braked, speeds[:, 1] ** 2, caps, of_ramps)
 
 
-def _between_stops(problem: Problem, stages: Stages) -> Iterator[slice]:
+def between_stops(problem: Problem, stages: Stages) -> Iterator[slice]:
     """Yield the stages of each section between stops: there the smoothed motion is at rest, too."""
     stops = np.flatnonzero(np.isin(stages.nodes[1:-1], problem.path.stops)) + 1
     return starmap(slice, pairwise([0, *stops.tolist(), len(stages.cell)]))
