@@ -250,10 +250,7 @@ class Trajectory:
         return travel
 
     def mark(self, time_s: float) -> Mark:
-        """Return the mark of a time [s], from which travel can be counted.
-
-        It is a position, because a move may begin slightly before the program issues it.
-        """
+        """Return the mark of a time [s]: a place, for a move may begin before it is issued."""
         if not self.command.last_row:
             return Mark(time_s, 0.0)
         return Mark(time_s, float(self.place_at(np.array([time_s]))[0]))
@@ -428,9 +425,8 @@ class Trajectory:
 
     def place_at(self, times: Array) -> Array:
         """Return the visible position S (k,) [m] of the run at times (k,) [s]."""
-        times = np.atleast_1d(np.asarray(times, dtype=np.float64))
         # In chunks, so that not all timings of a long run are joined at once.
-        parts = np.array_split(times, len(times) // _SAMPLES_AT_ONCE + 1)
+        parts = np.array_split(np.atleast_1d(times), np.size(times) // _SAMPLES_AT_ONCE + 1)
         return np.concatenate([self._progress(part)[0] for part in parts])
 
     def _progress(self, times: Array) -> tuple[Array, Array]:
