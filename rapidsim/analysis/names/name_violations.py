@@ -72,6 +72,13 @@ class DuplicateName(Violation, code="N202"):
     between_modules: bool = False
     kind: str = ""
     """Kind of the duplicate, in the terms of rule.toml."""
+    of_own_module: bool = False
+    """Whether a routine has the name of its module."""
+
+    @property
+    def severity(self) -> Severity:
+        """Error; a warning for the name of the module, which programs in use have."""
+        return Severity.WARNING if self.of_own_module else Severity.ERROR
 
     @property
     def case(self) -> str:
@@ -93,6 +100,8 @@ class DuplicateName(Violation, code="N202"):
             )
         if self.between_modules:
             return "rename one of them, or make one LOCAL to its module"
+        if self.of_own_module:
+            return "rename the module: a controller may refuse to load it"
         return "rename one of them; names that differ only in case are the same name"
 
 

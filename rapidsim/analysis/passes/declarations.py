@@ -202,7 +202,8 @@ def without_duplicates(homes: Sequence[Context]) -> Accepted:
             if isinstance(node, tree.Routine) and name.key == home.module.name.key:
                 place = home.module.span(home.module.name)
                 where = ", as the module and as a routine in it"
-                violation = DuplicateName(name.text, where, kind="global routine")
+                kind = "global routine"
+                violation = DuplicateName(name.text, where, kind=kind, of_own_module=True)
                 home.report(violation, name, Related(place, "the module is here"))
             if name.text.startswith("<"):
                 home.report(UnfinishedDeclaration(name.text), name)
