@@ -170,7 +170,7 @@ def test_a_name_of_the_program_hides_the_figure_and_the_run_says_so(cell: Path) 
 @pytest.mark.parametrize(
     ("options", "code", "reason"),
     [
-        (("--proc", "endless", "--max-time", "3"), 3, "the run was cut off at the time limit"),
+        (("--proc", "endless", "--max-time", "3"), 3, "the run was cut off"),
         (("--proc", "broken"), 1, "the run stopped with an error"),
     ],
 )

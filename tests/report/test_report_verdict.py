@@ -18,7 +18,7 @@ VERDICTS = {
     End.ENDED: (None, Level.CLEAN, "ended as programmed"),
     End.STOPPED: (None, Level.CLEAN, "stopped by the program"),
     End.CYCLE_LIMIT: (None, Level.CLEAN, "ended after the requested cycles"),
-    End.TIME_LIMIT: (Failure.LIMIT, Level.QUALIFIED, "cut off at the time limit"),
+    End.TIME_LIMIT: (Failure.LIMIT, Level.QUALIFIED, "cut off"),
     End.ERROR: (Failure.PROGRAM, Level.FAILED, "stopped with an error"),
 }
 

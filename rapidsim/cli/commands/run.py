@@ -30,6 +30,7 @@ from rapidsim.cli.tools.assertions import (
 from rapidsim.cli.tools.instrumentation import choose_instrumentation, run_instrumented
 from rapidsim.cli.tools.opened_viewer import open_viewer
 from rapidsim.cli.tools.progress_meter import Meter
+from rapidsim.cli.tools.run_interruption import RunInterruption
 from rapidsim.cli.tools.run_output import FORMATS, RunDone, print_rejected, print_run, stage
 from rapidsim.cli.tools.run_timer import RunTimer
 from rapidsim.cli.tools.watch_mode import watch_option
@@ -136,6 +137,7 @@ def run(
     limit ended the run, 4 an --assert or the cycle budget of the station file failed.
     """
     terminal, timer = current_terminal(), RunTimer(is_reported=timings)
+    interruption = RunInterruption(ends_run=not breaks)
     watch = choose_instrumentation(breaks, profile)
     if write_pers and "-" in request.paths:
         raise InputError("--write-pers: standard input cannot be written to")
@@ -150,17 +152,19 @@ def run(
         made = prepared(ready)
         _echo_home_folder(request, made.options.home)
         meter = Meter(sum(task.moves for task in ready.tasks))
-        execute = _executing(made, meter)
+        execute: Execute = partial(executed, made)
         if replay is not None:
             execute = _replaying(ready, made, Path(replay))
-        execute = _timed(execute, timer)
+        execute = _watched(execute, meter.watch, timer.watch, interruption.watch)
         assertions = read_assertions(asserted, ready.programs, job.station.io, terminal)
-        with report_if_interrupted(meter.so_far):
+        with report_if_interrupted(meter.so_far), interruption.awaited():
             finished, measured = run_instrumented(execute, ready, made, watch, terminal, meter)
     except ProgramRejectedError as rejected:
         print_rejected(ready, rejected.diagnostics, output_format, terminal)
         return ExitCode.FINDINGS
     timer.end_run()
+    if interruption.has_come:
+        echo(f"interrupted{meter.reached()}; Ctrl-C again ends the writing of outputs", err=True)
     simulation = finished.simulation
     shown = cache(partial(figures, simulation))
     done = RunDone(simulation, shown, _judge(job, assertions, finished, shown), measured)
@@ -184,7 +188,7 @@ def run(
     if refused is not None:
         # What the run found is not lost over a file that could not be written.
         raise refused
-    return _EXIT_CODES[done.verdict.failure]
+    return ExitCode.INTERRUPTED if interruption.has_come else _EXIT_CODES[done.verdict.failure]
 
 
 def _ended(run: Simulation) -> str:
@@ -193,30 +197,17 @@ def _ended(run: Simulation) -> str:
     return f" after the run ({run.time_s:.3f} s, {moves:,} moves): not all outputs were written"
 
 
-def _executing(inputs: PreparedRun, meter: Meter) -> Execute:
-    """The run, which the meter follows."""
+def _watched(execute: Execute, *watchers: Callable[[RunInProgress], None]) -> Execute:
+    """The run, which others follow."""
 
-    def execute(watch: Callable[[RunInProgress], None]) -> FinishedRun:
+    def watched(watch: Callable[[RunInProgress], None]) -> FinishedRun:
         def watch_all(run: RunInProgress) -> None:
-            meter.watch(run)
-            watch(run)
-
-        return executed(inputs, watch_all)
-
-    return execute
-
-
-def _timed(execute: Execute, timer: RunTimer) -> Execute:
-    """The run, which a timer follows."""
-
-    def timed(watch: Callable[[RunInProgress], None]) -> FinishedRun:
-        def watch_all(run: RunInProgress) -> None:
-            timer.watch(run)
-            watch(run)
+            for one in (*watchers, watch):
+                one(run)
 
         return execute(watch_all)
 
-    return timed
+    return watched
 
 
 def _replaying(ready: LoadedJob, made: PreparedRun, journal: Path) -> Execute:

@@ -31,7 +31,7 @@ _MAIN = "main"
 _PREFIX = re.compile(r"\s*([A-Za-z]\w*)\s*:(?!=)")
 _CUT = {
     End.ERROR: "the run stopped with an error",
-    End.TIME_LIMIT: "the run was cut off at the time limit",
+    End.TIME_LIMIT: "the run was cut off",
 }
 """Ends after which nothing is judged: what the program would have left is not known."""
 

@@ -46,15 +46,17 @@ class Meter:
         return Text(f"simulating: {_words(self._look(), self._written, seconds)}")
 
     def so_far(self) -> str:
+        """Progress of a run that was broken off, as text after `interrupted`."""
+        return f"{self.reached()}; no output was written" if self._look else ""
+
+    def reached(self) -> str:
         """Progress of an interrupted run, as text after `interrupted`."""
         if self._look is None:
             return ""
         far = self._look()
         waits = f", {far.planned:,} more on the way" if far.planned else ""
         place = f", the program at {far.place.file}:{far.place.line}" if far.place else ""
-        return (
-            f" at {far.time_s:.3f} s: {far.moves:,} moves made{waits}{place}; no output was written"
-        )
+        return f" at {far.time_s:.3f} s: {far.moves:,} moves made{waits}{place}"
 
 
 def _words(progress: Progress, written: int, seconds: float) -> str:

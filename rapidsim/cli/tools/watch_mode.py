@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 
 import click
 
+from rapidsim.cli.exit_codes import ExitCode
 from rapidsim.cli.terminal import current_terminal, echo
 from rapidsim.files import InputError
 from rapidsim.module_files import MODULE_SUFFIXES
@@ -54,7 +55,8 @@ def watch_option(command: Callable[..., int]) -> Callable[..., int]:
         while True:
             before = _stamps(paths, named)
             try:
-                command(**options)
+                if command(**options) == ExitCode.INTERRUPTED:
+                    return ExitCode.INTERRUPTED
             except InputError as error:
                 # An editor may be just writing the file: the next change completes it.
                 echo(f"error: {error.message}", err=True)

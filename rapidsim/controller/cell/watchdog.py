@@ -65,6 +65,7 @@ class Watchdog:
             noted: Returns the number of recorded items that will be written at the end.
         """
         self._noted = noted
+        self._reason = f"the run was cut off after {limit_s or 0.0:g} s on the computer's clock"
         self._limit_s = math.inf if limit_s is None else limit_s
         self._ends_s = monotonic() + self._limit_s
         self._is_over = False
@@ -106,9 +107,17 @@ class Watchdog:
         """
         if self._is_over and not self._rests.is_set():
             self._rests.set()
-            raise WallLimitReached(
-                f"the run was cut off after {self._limit_s:g} s on the computer's clock"
-            )
+            raise WallLimitReached(self._reason)
+
+    def end_run(self, reason: str) -> None:
+        """End the run soon, as at its limit; a handler of signals may call it.
+
+        Args:
+            reason: The reason, as a sentence without its full stop.
+        """
+        # Not in this thread, which may hold the lock.
+        self._reason = reason
+        Thread(target=self._end, name="rapidsim Ctrl-C", daemon=True).start()
 
     @contextmanager
     def interrupting(self) -> Iterator[None]:
@@ -141,7 +150,13 @@ class Watchdog:
         while (runs_s := self.left_s - max(0.0, self._noted() * _WRITING_S - _FREE_S)) > 0.0:
             if self._rests.wait(min(runs_s, _LOOKS_S)):
                 return
-        self._is_over = True
+        self._end()
+
+    def _end(self) -> None:
+        with self._lock:
+            if self._is_over:
+                return
+            self._is_over = True
         Watchdog.runs_ended += 1
         interrupt_s = monotonic() + _PATIENCE_S
         while True:

@@ -150,7 +150,7 @@ _WORDS = {
     End.ENDED: "ended as programmed",
     End.STOPPED: "stopped by the program",
     End.CYCLE_LIMIT: "ended after the requested cycles",
-    End.TIME_LIMIT: "cut off at the time limit",
+    End.TIME_LIMIT: "cut off",
     End.ERROR: "stopped with an error",
 }
 _QUALIFIED_END = "ended"
