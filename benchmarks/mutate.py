@@ -53,7 +53,8 @@ dynamic_context = test_function
 source = rapidsim/{room}
 """
 _MOST_TESTS = 25
-"""Tests that judge one change, the ones that execute the fewest lines first."""
+"""Tests that judge one change, the ones that execute the fewest lines first, and at last the one
+that executes the most: it may hold whole answers."""
 _LIMIT_S = 240.0
 _OPPOSITES: Mapping[type[ast.AST], tuple[type[ast.AST], ...]] = MappingProxyType(
     {
@@ -206,7 +207,7 @@ class Copy:
         is_executed = mutant.line in (self._data.lines(file_name) or ())
         named = sorted((name for name in contexts if name), key=self._lines.__getitem__)
         found = []
-        for name in named[:_MOST_TESTS]:
+        for name in (*named[: _MOST_TESTS - 1], *named[_MOST_TESTS - 1 :][-1:]):
             module, _, function = name.rpartition(".")
             file = self._files.get(module.rpartition(".")[2])
             if file is not None:

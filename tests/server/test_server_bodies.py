@@ -41,6 +41,8 @@ FURTHER: dict[str, tuple[tuple[str, dict[str, str]], ...]] = {
         ),
         (_UNIT, {"resource": "static"}),
         (f"{_UNIT}/robtarget", {"tool": "tMine", "wobj": "wMine", "coordinate": "Wobj"}),
+        (f"{_UNIT}/robtarget", {"coordinate": "Wobj"}),
+        (f"{_UNIT}/cartesian", {"coordinate": "Wobj"}),
         ("rw/retcode", {"code": "-1073442809"}),
         ("rw/devices/SW_RESOURCES", {}),
         ("users", {"user-type": "self"}),

@@ -473,6 +473,7 @@ async def _pages(served: Served) -> None:
     for fails in (True, False):
         await (served.fail(kind="device_lost", device="Dev") if fails else served.mend())
         states.append((await served.get("rw/iosystem/devices?network=net"))[0])
+    assert await served.get("rw/iosystem/devices?network=none") == []
     served.engine.live.cell.disabled_devices.add("dev")
     states.append((await served.get("rw/iosystem/devices"))[0])
     assert [(one["name"], one["lstate"], one["pstate"]) for one in states] == [

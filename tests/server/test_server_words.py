@@ -118,8 +118,8 @@ def test_a_restart_is_warm_or_cold(
 
 
 def test_texts_of_a_page_are_in_one_line() -> None:
-    text = xhtml_refusal(ErrorAnswer(400, 1, "a\tb\n<c>\ufffe"), "http://here/")
-    assert '<span class="msg">a b &lt;c&gt;</span>' in text
+    text = xhtml_refusal(ErrorAnswer(400, 1, "Q\tb\n<c>\ufffe"), "http://here/")
+    assert '<span class="msg">Q b &lt;c&gt;</span>' in text
 
 
 def test_steps_backwards_are_refused(switched: tuple[Engine, list[Notification]]) -> None:
