@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
 @value_class(frozen=True, slots=True, eq=False)
 class BulkReading:
-    """How bulk statements are read."""
+    """Decisions of a caller about bulk statements."""
 
     more_than: int
     """Number of moves up to which all lines are parsed."""
@@ -25,6 +25,6 @@ class BulkReading:
     """Returns which targets (k,) of numbers (k, 17), as written, are plain: their lines may be
     represented by others of the run."""
     of_declared: Callable[[Numbers], Mask]
-    """The same for declared targets."""
+    """Returns which declared targets are plain."""
     keeps_data: bool = False
     """Whether declarations, and moves to declared targets, are parsed."""

@@ -81,7 +81,7 @@ class Detector:
     """Returns which targets (k,) of numbers (k, 17), as written, the detector has no reason to look
     at by themselves; None if it looks at no numbers of targets."""
     of_declared: Callable[[Numbers], Mask] | None = None
-    """The same for targets that are declared."""
+    """Returns which declared targets it has no reason to look at."""
 
 
 DETECTORS = (
@@ -144,7 +144,7 @@ DETECTORS = (
         target_data.find_external_axes,
         (target_data.ExternalAxisValue,),
         RuleScope.TASK,
-        of_declared=target_data.have_axes_alike,
+        of_declared=target_data.have_equal_axes,
     ),
     Detector(
         target_data.find_bad_confdata,

@@ -51,7 +51,7 @@ def _are_plain(targets: Numbers) -> Mask:
 
 
 def _are_plain_data(targets: Numbers) -> Mask:
-    """The same for declared targets."""
+    """Which declared targets (k,) of numbers (k, 17) are of no interest by themselves."""
     plain = _are_plain(targets)
     for detector in DETECTORS:
         if detector.of_declared is not None:

@@ -28,6 +28,10 @@ WIDEST_CELL = 0.2
 """Initial rotation [rad] of tool or frame between two nodes."""
 _LARGEST_STEP = 0.15
 _JUMP = 0.5
+_MANY = 1024
+"""Number of nodes from which on those that determine nothing are dropped."""
+_SMALL_BEND = 0.1
+"""Deviation [rad] of joints from a proportional course that leaves their whole turns clear."""
 
 
 @value_class(frozen=True, slots=True, eq=False)
@@ -125,6 +129,30 @@ def nodes_along(
     of_arm = _continuous(joints[:, :joint_count], curve, turns)
     joints = np.concatenate([of_arm, joints[:, joint_count:]], axis=1)
     return Nodes(NodeJoints(place, joints), part, curve, exists)
+
+
+def course_of(nodes: Nodes, regular: Mask) -> NodeJoints:
+    """Return the joints of nodes; of many, without those that determine no whole turn.
+
+    Those are inside curves along which joints are nearly proportional to the path.
+
+    Args:
+        nodes: The nodes (k,).
+        regular: Mask (k,) of nodes where a pose determines the joints but for whole turns.
+    """
+    place, joints, curve = nodes.place, nodes.joints, nodes.curve
+    if len(place) < _MANY:
+        return nodes.course
+    begins = np.flatnonzero(np.diff(curve, prepend=-1))
+    ends = np.append(begins[1:], len(curve)) - 1
+    number = np.repeat(np.arange(len(begins)), ends - begins + 1)
+    first, last = begins[number], ends[number]
+    share = (place - place[first]) / np.maximum(place[last] - place[first], 1e-300)
+    off = joints - joints[first] - share[:, None] * (joints[last] - joints[first])
+    plain = regular & (np.abs(off).max(axis=1) < _SMALL_BEND)
+    needed = ~np.logical_and.reduceat(plain, begins)[number]
+    needed[begins] = needed[ends] = True
+    return NodeJoints(place[needed], joints[needed])
 
 
 def _continuous(joints: Array, curve: Index, turns: Array) -> Array:

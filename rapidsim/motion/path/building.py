@@ -16,6 +16,7 @@ from rapidsim.motion.geometry.parameterisation import CarrierAxes, layout_of
 from rapidsim.motion.geometry.segments import Geometry, Segment
 from rapidsim.motion.interruption import Look, undisturbed
 from rapidsim.motion.model import MotionModel
+from rapidsim.motion.path.along_curves import course_of
 from rapidsim.motion.path.curve_following import FaultKind, PathFault, follow, limit_fault
 from rapidsim.motion.path.line_derivatives import lines_of
 from rapidsim.motion.path.nominal_times import NominalTimes, nominal_times
@@ -117,7 +118,8 @@ def path_along(
     nodes = follow(layout, arms, lines, moving, axes, check_deadline)
     if isinstance(nodes, PathFault):
         return dataclasses.replace(nodes, segment=int(active[nodes.segment]))
-    path = Path(segments, kinematics, layout, arms, active, nodes.course, model, lines)
+    course = nodes.course if lines is None else course_of(nodes, lines.regular(nodes))
+    path = Path(segments, kinematics, layout, arms, active, course, model, lines)
     check_deadline()
     fault = _joint_space_fault(path, axes)
     if fault is not None:

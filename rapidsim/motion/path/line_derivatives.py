@@ -22,9 +22,12 @@ from rapidsim.motion.kinematics.arm import Mask
 from rapidsim.motion.kinematics.closed_form.opw import OrthoParallel
 from rapidsim.motion.numba_jit import jit_function
 from rapidsim.motion.path import line_formulas, line_loops
+from rapidsim.motion.path.along_curves import Nodes
 from rapidsim.motion.path.path_derivatives import PathRates
 
 _CHUNK = 2048
+_CLEAR_WRIST = 0.05
+"""sin of axis 5 above which the pose determines axes 4 and 6."""
 _POSITION, _RATE, _TURN_RATE = slice(0, 3), slice(3, 6), slice(6, 9)
 _ROTATION, _LEVER, _ARM = slice(9, 18), slice(18, 21), slice(21, 24)
 
@@ -124,6 +127,12 @@ class Lines:
             for i, column in enumerate(columns):
                 joints[part, i] = column
         return joints, regular
+
+    def regular(self, nodes: Nodes) -> Mask:
+        """Return which nodes (k,) are on lines, with axis 5 well away from a singularity."""
+        wrist = self.arm.theta_from_joints(nodes.joints)[:, 4]
+        clear: Mask = self.rows[nodes.curve] & (np.abs(np.sin(wrist)) > _CLEAR_WRIST)
+        return clear
 
     @cached_property
     def _lengths(self) -> line_formulas.Lengths:

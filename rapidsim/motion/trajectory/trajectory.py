@@ -41,6 +41,7 @@ SAMPLE_STEP_S = 0.012
 """Interval [s] at which ABB's controllers log positions."""
 _SAMPLES_AT_ONCE = 10_000
 _PLACES_AT_ONCE = 2_000
+"""Number of places for which paths and timings are joined, not all of a long run."""
 _ROUNDING_S = 1e-11
 _NO_TRAVEL_M = 1e-6
 _NO_WAY = 1e-9
@@ -398,8 +399,7 @@ class Trajectory:
 
     def _standing(self, times: Array) -> Samples:
         """Return the arm at its start."""
-        count = len(times)
-        pose = self._start.base_from_tcp
+        count, pose = len(times), self._start.base_from_tcp
         return Samples(
             times,
             np.zeros(count, dtype=np.int64),
@@ -425,9 +425,7 @@ class Trajectory:
 
     def place_at(self, times: Array) -> Array:
         """Return the visible position S (k,) [m] of the run at times (k,) [s]."""
-        # In chunks, so that not all timings of a long run are joined at once.
-        parts = np.array_split(np.atleast_1d(times), np.size(times) // _SAMPLES_AT_ONCE + 1)
-        return np.concatenate([self._progress(part)[0] for part in parts])
+        return self._progress(np.atleast_1d(np.asarray(times, dtype=np.float64)))[0]
 
     def _progress(self, times: Array) -> tuple[Array, Array]:
         """Return the visible position S (k,) [m] and speed dS/dt (k,) [m/s] at times (k,) [s]."""
@@ -460,9 +458,8 @@ class Trajectory:
             place: One position, or positions (k,).
         """
         places = np.atleast_1d(np.asarray(place, dtype=np.float64))
-        # In chunks, so that not all paths of a long run are joined at once.
         parts = np.array_split(places, len(places) // _PLACES_AT_ONCE + 1)
-        times = np.concatenate([self._times_at(part) for part in parts])
+        times = np.concatenate(list(map(self._times_at, parts)))
         return times if np.ndim(place) else float(times[0])
 
     def _times_at(self, places: Array) -> Array:
@@ -477,6 +474,10 @@ class Trajectory:
     def _visible(self, times: Array) -> tuple[Index, Array, Array]:
         """Return row (k,), distance (k,) [m] since its start, and speed dS/dt (k,) [m/s]."""
         command, windows = self.command, self._windows
+        if len(times) > _PLACES_AT_ONCE:
+            parts = np.array_split(times, len(times) // _PLACES_AT_ONCE + 1)
+            rows, ways, rates = map(np.concatenate, zip(*map(self._visible, parts), strict=True))
+            return rows, ways, rates
         if windows.filter_time == 0.0:
             row = command.row_at(times)
             return row, command.state(row, times)[0], command.speed(row, times)

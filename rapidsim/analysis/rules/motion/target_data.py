@@ -60,10 +60,10 @@ class _Target:
 _AxisUses: TypeAlias = "dict[tuple[int, bool], list[_Target]]"
 
 
-def have_axes_alike(targets: Numbers) -> Mask:
+def have_equal_axes(targets: Numbers) -> Mask:
     """Return which targets (k,) of numbers (k, 17) have the external axes of the first."""
-    alike: Mask = (targets[:, 11:] == targets[0, 11:]).all(axis=1)
-    return alike
+    equal: Mask = (targets[:, 11:] == targets[0, 11:]).all(axis=1)
+    return equal
 
 
 def have_good_confdata(targets: Numbers) -> Mask:
