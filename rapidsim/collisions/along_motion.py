@@ -180,11 +180,17 @@ class _Search:
         some = self._block.parted(some)
         touches, nearer = self._matters(some, self._block.least(some))
         some = some.rows(touches | nearer)
-        halved = (some.floor > -np.inf) & self._block.several(some)
-        first, second = self._block.halves(some.rows(halved), some.floor[halved])
+        least, halved = some.floor, (some.floor > -np.inf) & self._block.several(some)
+        first, second = self._block.halves(some.rows(halved), least[halved])
         first = self._measured(first, start=False)
         second = replace(second, gap_start=first.gap_end, seen_start=first.seen_end)
-        return some.rows(~halved), first, second
+        seen = ~halved & some.seen
+        return (
+            first,
+            second,
+            self._measured(some.rows(~halved & ~seen)),
+            *self._block.halves(some.rows(seen), self._block.least(some.rows(seen))),
+        )
 
     def check_enclosed(self) -> None:
         """Find bodies that start inside a hollow body, whose surface they need not touch."""
