@@ -155,7 +155,7 @@ def run(
         execute: Execute = partial(executed, made)
         if replay is not None:
             execute = _replaying(ready, made, Path(replay))
-        execute = _watched(execute, meter.watch, timer.watch, interruption.watch)
+        execute = _with_watchers(execute, meter.watch, timer.watch, interruption.watch)
         assertions = read_assertions(asserted, ready.programs, job.station.io, terminal)
         with report_if_interrupted(meter.so_far), interruption.awaited():
             finished, measured = run_instrumented(execute, ready, made, watch, terminal, meter)
@@ -197,17 +197,17 @@ def _ended(run: Simulation) -> str:
     return f" after the run ({run.time_s:.3f} s, {moves:,} moves): not all outputs were written"
 
 
-def _watched(execute: Execute, *watchers: Callable[[RunInProgress], None]) -> Execute:
+def _with_watchers(execute: Execute, *watchers: Callable[[RunInProgress], None]) -> Execute:
     """The run, which others follow."""
 
-    def watched(watch: Callable[[RunInProgress], None]) -> FinishedRun:
+    def run_all(watch: Callable[[RunInProgress], None]) -> FinishedRun:
         def watch_all(run: RunInProgress) -> None:
             for one in (*watchers, watch):
                 one(run)
 
         return execute(watch_all)
 
-    return watched
+    return run_all
 
 
 def _replaying(ready: LoadedJob, made: PreparedRun, journal: Path) -> Execute:
