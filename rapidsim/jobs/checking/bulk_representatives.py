@@ -12,7 +12,6 @@ from rapidsim.analysis.installed import installed_symbol, installed_type
 from rapidsim.analysis.names.name_violations import UndefinedName, UnseenName
 from rapidsim.analysis.program import does
 from rapidsim.analysis.rules.motion.target_data import declares_axes_alike_targets
-from rapidsim.analysis.rules.table import DETECTORS
 from rapidsim.analysis.suggestions import closest
 from rapidsim.analysis.tree_walk import descendants
 from rapidsim.diagnostics import Diagnostic
@@ -24,6 +23,7 @@ from rapidsim.syntax import tree
 from rapidsim.syntax.bulk_reading import BulkReading
 
 if TYPE_CHECKING:
+    from rapidsim.analysis.rules.table import Detector
     from rapidsim.syntax.bulk_reading import Mask
     from rapidsim.syntax.tree.bulk_statements import Numbers
 
@@ -44,7 +44,7 @@ def _are_plain(targets: Numbers) -> Mask:
     """Which targets (k,) of numbers (k, 17), as written, are of no interest by themselves."""
     size = abs(targets)
     plain: Mask = ((size < LARGEST_SINGLE) & ((size >= _SMALLEST) | (size == 0.0))).all(axis=1)
-    for detector in DETECTORS:
+    for detector in _detectors():
         if detector.of_targets is not None:
             plain &= detector.of_targets(targets)
     return plain
@@ -53,10 +53,17 @@ def _are_plain(targets: Numbers) -> Mask:
 def _are_plain_data(targets: Numbers) -> Mask:
     """Which declared targets (k,) of numbers (k, 17) are of no interest by themselves."""
     plain = _are_plain(targets)
-    for detector in DETECTORS:
+    for detector in _detectors():
         if detector.of_declared is not None:
             plain &= detector.of_declared(targets)
     return plain
+
+
+def _detectors() -> Sequence[Detector]:
+    # A run needs the rules only for a long file.
+    from rapidsim.analysis.rules.table import DETECTORS
+
+    return DETECTORS
 
 
 def findings_of_all(
