@@ -30,6 +30,7 @@ from rapidsim.interpreter.tools.step_positions import (
     StatementStarts,
     StepGranularity,
     StepPosition,
+    rapid_frames,
 )
 from rapidsim.language.error_numbers import ERR_DIVZERO, name_of, rapid_error
 from rapidsim.language.errors import RapidError
@@ -175,7 +176,7 @@ class Debugger:
         for frame in frames:
             places, line = self._positions.places(frame), self._positions.line(frame)
             starts = StatementStarts(places, line, frame.f_lasti)
-            frame.f_trace = _FrameTracer(self, starts, self.number + 1, self._mark(frame)).trace
+            frame.f_trace = self._tracer(frame, starts).trace
 
     def pause(self) -> None:
         """Stop before the next statement of any task."""
@@ -232,13 +233,20 @@ class Debugger:
             return None
         if GENERATED not in frame.f_globals or not is_rapid(frame):
             return None
-        starts = StatementStarts(self._positions.places(frame))
-        return _FrameTracer(self, starts, self.number + 1, self._mark(frame)).trace
+        return self._tracer(frame, StatementStarts(self._positions.places(frame))).trace
 
-    def _mark(self, frame: FrameType) -> int:
+    def _tracer(self, frame: FrameType, starts: StatementStarts) -> _FrameTracer:
+        caller = next(rapid_frames(frame.f_back), None)
+        known = None if caller is None else _traced_position(caller)
+        # From its caller: a deep stack is not counted again for each routine on it.
+        positions = self._positions
+        position = positions.of(frame) if known is None else positions.within(frame, known)
+        return _FrameTracer(self, starts, self.number + 1, position, self._mark(position))
+
+    def _mark(self, position: StepPosition) -> int:
         """Number of the running task and number of traps that it is in, as one number."""
         task = self._tasks.setdefault(self.current_task(), len(self._tasks))
-        return task * _MOST_TRAPS + min(self._positions.traps(frame), _MOST_TRAPS - 1)
+        return task * _MOST_TRAPS + min(position.traps, _MOST_TRAPS - 1)
 
     def number_before(self, number: int) -> int:
         """Number of the statement before another in its task, not counting traps between them.
@@ -314,7 +322,8 @@ class Debugger:
         if self.current_task() is not self._task or self._step_start is None:
             return False
         assert self._reach is not None
-        return self._positions.of(frame).ends_step(self._step_start, self._reach)
+        position = _traced_position(frame) or self._positions.of(frame)
+        return position.ends_step(self._step_start, self._reach)
 
     def _is_at_breakpoint(self, frame: FrameType) -> bool:
         if not self.breakpoints:
@@ -343,11 +352,18 @@ class Debugger:
 class _FrameTracer:
     """The trace function of one frame."""
 
-    __slots__ = ("_debugger", "_mark", "_starts", "first")
+    __slots__ = ("_debugger", "_mark", "_starts", "first", "position")
 
-    def __init__(self, debugger: Debugger, starts: StatementStarts, first: int, mark: int) -> None:
+    def __init__(
+        self,
+        debugger: Debugger,
+        starts: StatementStarts,
+        first: int,
+        position: StepPosition,
+        mark: int,
+    ) -> None:
         self._debugger, self._starts, self._mark = debugger, starts, mark
-        self.first = first
+        self.first, self.position = first, position
 
     def trace(self, frame: FrameType, event: str, argument: Any) -> Any:
         if self._debugger.has_ended:
@@ -359,6 +375,12 @@ class _FrameTracer:
         elif event == "exception":
             self._debugger.failed(frame, argument[1])
         return self.trace
+
+
+def _traced_position(frame: FrameType) -> StepPosition | None:
+    """Position of a frame that is traced; None for any other."""
+    tracer = getattr(frame.f_trace, "__self__", None)
+    return tracer.position if isinstance(tracer, _FrameTracer) else None
 
 
 def error_text(error: RapidError) -> str:

@@ -114,15 +114,15 @@ class FramePositions:
     def of(self, frame: FrameType) -> StepPosition:
         """Return the position of the routine of a frame."""
         called = list(rapid_frames(frame))
-        depth = sum(one.f_code.co_name not in CLAUSES for one in called)
-        return StepPosition(depth, self.traps(frame), called[-1])
+        routines = [one for one in called if one.f_code.co_name not in CLAUSES]
+        traps = sum(_is_trap(routine_of(one)) for one in routines)
+        return StepPosition(len(routines), traps, called[-1])
 
-    def traps(self, frame: FrameType) -> int:
-        """Number of traps among a frame's routine and its callers."""
-        return sum(
-            one.f_code.co_name not in CLAUSES and _is_trap(routine_of(one))
-            for one in rapid_frames(frame)
-        )
+    def within(self, frame: FrameType, caller: StepPosition) -> StepPosition:
+        """Return the position of a frame that the routine at a position has called."""
+        is_routine = frame.f_code.co_name not in CLAUSES
+        is_trap = is_routine and _is_trap(routine_of(frame))
+        return StepPosition(caller.depth + is_routine, caller.traps + is_trap, caller.cycle)
 
     def line(self, frame: FrameType) -> int:
         """Line on which the running statement begins."""
