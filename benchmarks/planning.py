@@ -27,7 +27,7 @@ from plain_segments import plain_segment
 
 from rapidsim.controller.journal.journal import Instant
 from rapidsim.controller.moves.executed_move import CornerKind
-from rapidsim.controller.moves.queued_move import QueuedMove
+from rapidsim.controller.moves.queued_move import QueuedMove, ResolvedMove
 from rapidsim.controller.queue.member import Member, member_at_rest
 from rapidsim.controller.queue.motion_queue import MAX_OPEN_MOVES, MotionQueue
 from rapidsim.diagnostics import Source, Span
@@ -182,7 +182,8 @@ def planned(robot: Robot, segments: Sequence[Segment]) -> Member:
     for segment in segments:
         corner = CornerKind.FLY_BY if segment.zone else CornerKind.STOP
         end, tool = segment.end.base_from_tcp, segment.tcp_from_flange
-        queued = QueuedMove(move, place, segment, conf, Instant(), corner, end, tool)
+        of = ResolvedMove(move, place, conf)
+        queued = QueuedMove(of, segment, Instant(), corner, end, tool)
         queue.append((queued,), -np.inf if queue.is_open else now_s)
         if segment.zone is None:
             now_s = queue.close()

@@ -6,13 +6,18 @@ import json
 import random
 import shutil
 from pathlib import Path
+from types import FrameType
 
 import pytest
 from dap_client import Client, RefusedError
 from laws import cases
 
 from rapidsim.interpreter.tools.debugging import Debugger, Stop
-from rapidsim.interpreter.tools.step_positions import StepGranularity
+from rapidsim.interpreter.tools.step_positions import (
+    FramePositions,
+    StepGranularity,
+    StepPosition,
+)
 from rapidsim.jobs.inputs.job import job
 from rapidsim.jobs.inputs.run_request import RunRequest
 from rapidsim.jobs.running.run_files import LoadedJob, executed, loaded, prepared
@@ -66,6 +71,35 @@ def test_a_run_is_the_same_with_a_debugger(name: str, tmp_path: Path) -> None:
     followed = debugger.run(lambda: executed(prepared(ready(program, tmp_path))))
     assert steps[0] > 1
     assert as_json(followed) == as_json(alone)
+
+
+def test_a_deep_stack_is_not_counted_for_each_routine(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    (tmp_path / "deep.mod").write_text(
+        """MODULE deep
+  PROC main()
+    down 300;
+  ENDPROC
+  PROC down(num n)
+    IF n>0 down n-1;
+  ENDPROC
+ENDMODULE
+"""
+    )
+    counted = []
+    count = FramePositions.of
+
+    def of(positions: FramePositions, frame: FrameType) -> StepPosition:
+        counted.append(count(positions, frame))
+        return counted[-1]
+
+    monkeypatch.setattr(FramePositions, "of", of)
+    debugger = Debugger(lambda stop: debugger.step(StepGranularity.CALLER, stop.frame))
+    debugger.pause()
+    debugger.run(lambda: executed(prepared(ready(tmp_path / "deep.mod", tmp_path))))
+    assert debugger.number > 300
+    assert len(counted) < 10
 
 
 def state(client: Client) -> object:
