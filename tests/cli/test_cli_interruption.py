@@ -91,11 +91,16 @@ _MOVES = 45
 
 def _large_run(instant: tuple[str, int], folder: Path) -> subprocess.CompletedProcess[str]:
     folder.mkdir()
-    (folder / "export.mod").write_text(export("inline", "spiral", _MOVES))
+    (folder / "export.mod").write_text(
+        export("inline", "spiral", _MOVES).replace(
+            "PROC main()", "PERS num k:=0; PROC main() k:=1;"
+        )
+    )
     return subprocess.run(
         [
             *(sys.executable, "-c", HEARS + SENDS_ITSELF_A_SIGNAL_AT, *map(str, instant)),
             *("run", "export.mod", "--robot", ROBOT, "--dt", "0.5", "--record", "r.rrd"),
+            *(("--write-pers",) if instant[0] == "line" else ()),
             *("--trace", "t.csv", "--report", "r.html", "--events", "e.jsonl"),
         ],
         cwd=folder,
@@ -122,6 +127,8 @@ def test_while_the_moves_of_a_large_program_are_made(line: int, tmp_path: Path) 
     there = {one.name for one in (tmp_path / "here").iterdir()}
     assert {"r.rrd", "t.csv", "r.html", "e.jsonl"} < there
     assert not [one for one in there if one.endswith(".part")]
+    # The program is not changed by a run that was broken off.
+    assert "PERS num k:=0;" in (tmp_path / "here" / "export.mod").read_text()
 
 
 @pytest.mark.process

@@ -165,6 +165,8 @@ def run(
     timer.end_run()
     if interruption.has_come:
         echo(f"interrupted{meter.reached()}; Ctrl-C again ends the writing of outputs", err=True)
+        # Such a run does not change programs, and opens no window.
+        write_pers, outputs = False, replace(outputs, view=False)
     simulation = finished.simulation
     shown = cache(partial(figures, simulation))
     done = RunDone(simulation, shown, _judge(job, assertions, finished, shown), measured)
