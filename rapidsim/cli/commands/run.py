@@ -15,6 +15,7 @@ from rapidsim.cli.interrupted import report_if_interrupted
 from rapidsim.cli.options.job_options import input_options, job_of, program_options
 from rapidsim.cli.options.outputs import (
     OutputFileOptions,
+    Outputs,
     new_outputs,
     output_options,
     write,
@@ -35,7 +36,7 @@ from rapidsim.cli.tools.run_output import FORMATS, RunDone, print_rejected, prin
 from rapidsim.cli.tools.run_timer import RunTimer
 from rapidsim.cli.tools.watch_mode import watch_option
 from rapidsim.extras import pip_install
-from rapidsim.files import InputError
+from rapidsim.files import InputError, SourceFile
 from rapidsim.jobs.inputs.job import Job
 from rapidsim.jobs.inputs.run_request import RunRequest
 from rapidsim.jobs.inputs.task_files import program_name
@@ -170,18 +171,12 @@ def run(
     simulation = finished.simulation
     shown = cache(partial(figures, simulation))
     done = RunDone(simulation, shown, _judge(job, assertions, finished, shown), measured)
-    with stage("writing", terminal), report_if_interrupted(partial(_ended, simulation)):
-        written, refused = write(simulation, outputs)
+    written, refused = _write_all(simulation, outputs, job.files if write_pers else ())
     if watch.profile and measured:
         from rapidsim.cli.tools.profiler import write_profile
 
         write_profile(measured, watch.profile)
         written = (*written, OutputFile(watch.profile, "profile"))
-    if write_pers:
-        try:
-            written = (*written, *write_values(simulation, job.files))
-        except InputError as error:
-            refused = refused or error
     done = replace(done, timings=timer.timings())
     print_run(done, job.robot, written, output_format, terminal)
     recording = outputs.recording
@@ -191,6 +186,20 @@ def run(
         # What the run found is not lost over a file that could not be written.
         raise refused
     return ExitCode.INTERRUPTED if interruption.has_come else _EXIT_CODES[done.verdict.failure]
+
+
+def _write_all(
+    run: Simulation, outputs: Outputs, programs: Sequence[SourceFile]
+) -> tuple[tuple[OutputFile, ...], InputError | None]:
+    """Write the outputs, and values of persistents to programs; return the error of one of them."""
+    with stage("writing", current_terminal()), report_if_interrupted(partial(_ended, run)):
+        written, refused = write(run, outputs)
+    if programs:
+        try:
+            written = (*written, *write_values(run, programs))
+        except InputError as error:
+            refused = refused or error
+    return written, refused
 
 
 def _ended(run: Simulation) -> str:

@@ -26,7 +26,6 @@ from rapidsim.analysis.tree_walk import clauses, statements
 from rapidsim.interpreter.codegen.calls import match_arguments
 from rapidsim.interpreter.codegen.data_access import by_reference
 from rapidsim.interpreter.codegen.written_paths import bare
-from rapidsim.language.data import JointTarget
 from rapidsim.library import arithmetic
 from rapidsim.library.table import LibraryRoutine
 from rapidsim.library.traits import Trait
@@ -35,8 +34,8 @@ from rapidsim.reach.dataflow.controller_stub import ControllerStub
 from rapidsim.reach.dataflow.data_places import empty_data, replaced
 from rapidsim.reach.dataflow.jumps import ProgramJumps
 from rapidsim.reach.dataflow.known_values import evaluator_of
-from rapidsim.reach.dataflow.motion_settings import DISPLACEMENTS, KnownSettings
-from rapidsim.reach.dataflow.move_table import MoveTable
+from rapidsim.reach.dataflow.motion_settings import KnownSettings
+from rapidsim.reach.dataflow.move_table import MoveTable, reason_unknown
 from rapidsim.reach.dataflow.side_effects import Effects, ProgramEffects, root_of
 from rapidsim.reach.dataflow.state import BEGINNING, AbstractFrame, State, joined
 from rapidsim.reach.dataflow.transfer_functions import InstructionEffect, perform
@@ -464,7 +463,6 @@ class AbstractInterpreter:
         done: InstructionEffect | str = "only a run can tell"
         if moving or fields or not signature.takes_controller:
             done = perform(routine, call.arguments, self._evaluator, recorder)
-        why = done if isinstance(done, str) and not recorder.moves else None
         if isinstance(done, InstructionEffect):
             for path, value in done.written:
                 self._store(path, value)
@@ -480,12 +478,9 @@ class AbstractInterpreter:
             self.state.last = None
         if not moving:
             return
-        displaced = bool(self.state.settings.uncertain & DISPLACEMENTS)
-        moves = recorder.moves
-        if why is None and len(moves) != 1:
-            why = f"`{routine.name}` is not a single move"
-        elif why is None and displaced and not isinstance(moves[0].to, JointTarget):
-            why = "a program displacement (PDispOn, EOffsOn and their like) may be in force"
+        moves, settings = recorder.moves, self.state.settings
+        why = done if isinstance(done, str) and not moves else None
+        why = why or reason_unknown(routine.name, moves, settings.uncertain)
         if why is not None:
             is_off_path = any(frame.off_path for frame in self._stack)
             (self.table.unreached if is_off_path else self.table.unknown).setdefault(call, why)
@@ -494,7 +489,7 @@ class AbstractInterpreter:
         if call in self.runs:
             self._steps_remaining -= len(self.runs[call][0])
         self.state.last = self.table.add(
-            call, moves[0], self._stack[-1].routine, self.state.settings, self.state.last
+            call, moves[0], self._stack[-1].routine, settings, self.state.last
         )
         if Trait.SEARCH in routine.traits:
             self.state.last = None

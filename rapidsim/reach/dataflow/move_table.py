@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence, Set
 from dataclasses import dataclass, field
 
 from rapidsim.analysis.program import RoutineSymbol
+from rapidsim.language.data import JointTarget
 from rapidsim.language.moves import Move
 from rapidsim.reach.dataflow.bulk_moves import Runs, moves_of_run
 from rapidsim.reach.dataflow.known_moves import KnownMove, MoveStatement
-from rapidsim.reach.dataflow.motion_settings import KnownSettings
+from rapidsim.reach.dataflow.motion_settings import DISPLACEMENTS, KnownSettings
 from rapidsim.reach.dataflow.state import BEGINNING
 from rapidsim.syntax import tree
 
@@ -67,3 +69,18 @@ class MoveTable:
             self.moves += moves_of_run(*self.runs[call], self.moves[index], len(self.moves))
             self._run_ends[index] = len(self.moves) - 1
         return self._run_ends[index]
+
+
+def reason_unknown(instruction: str, moves: Sequence[Move], uncertain: Set[str]) -> str | None:
+    """Return the reason why the target of an instruction is unknown; None if it is known.
+
+    Args:
+        instruction: Name of the instruction.
+        moves: The moves that it makes.
+        uncertain: Fields of the settings that may have another value.
+    """
+    if len(moves) != 1:
+        return f"`{instruction}` is not a single move"
+    if uncertain & DISPLACEMENTS and not isinstance(moves[0].to, JointTarget):
+        return "a program displacement (PDispOn, EOffsOn and their like) may be in force"
+    return None
