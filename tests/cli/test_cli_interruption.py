@@ -150,6 +150,40 @@ def test_while_the_outputs_of_a_large_program_are_written(tmp_path: Path) -> Non
     assert all(there[name] == complete[name] for name in there if name != "r.rrd")
 
 
+INTERRUPTS_A_REPLAY = """
+import signal
+from types import SimpleNamespace
+from rapidsim.cli import main
+from rapidsim.server import replay
+from rapidsim.simulation.progress import Progress
+def replayed(*arguments):
+    # It begins as a replay does.
+    arguments[-1](SimpleNamespace(progress=lambda: Progress(0, 0, 0), cell=None))
+    signal.raise_signal(signal.SIGINT)
+replay.replay_journal, replay.replayed = lambda path: None, replayed
+main()
+"""
+
+
+@pytest.mark.process
+def test_a_replay_is_interrupted_at_once(tmp_path: Path) -> None:
+    """Half of it would differ from its journal, so that there is nothing to write."""
+    (tmp_path / "job.mod").write_text(PROGRAM)
+    done = subprocess.run(
+        [
+            *(sys.executable, "-c", HEARS + INTERRUPTS_A_REPLAY),
+            *("run", "job.mod", "--replay", "a.jsonl"),
+        ],
+        cwd=tmp_path,
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    told = "interrupted at 0.000 s: 0 moves made; no output was written\n"
+    assert (done.returncode, done.stdout, done.stderr) == (130, "", told)
+    assert [one.name for one in tmp_path.iterdir()] == ["job.mod"]
+
+
 def test_a_command_in_the_background_stays_deaf(tmp_path: Path) -> None:
     (tmp_path / "job.mod").write_text(PROGRAM)
     deaf = "import signal; signal.signal(signal.SIGINT, signal.SIG_IGN)\n"

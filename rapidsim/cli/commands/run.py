@@ -153,10 +153,11 @@ def run(
         made = prepared(ready)
         _echo_home_folder(request, made.options.home)
         meter = Meter(sum(task.moves for task in ready.tasks))
-        execute: Execute = partial(executed, made)
+        execute = _with_watchers(partial(executed, made), interruption.watch)
         if replay is not None:
+            # Half a replay differs from its journal: Ctrl-C interrupts it.
             execute = _replaying(ready, made, Path(replay))
-        execute = _with_watchers(execute, meter.watch, timer.watch, interruption.watch)
+        execute = _with_watchers(execute, meter.watch, timer.watch)
         assertions = read_assertions(asserted, ready.programs, job.station.io, terminal)
         with report_if_interrupted(meter.so_far), interruption.awaited():
             finished, measured = run_instrumented(execute, ready, made, watch, terminal, meter)
