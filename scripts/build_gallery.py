@@ -16,6 +16,8 @@ from pathlib import Path
 
 from build_pictures import PICTURES, RUNS, Run, simulate
 
+from rapidsim.shipped import filled
+
 PAGE = """<!doctype html>
 <html lang="en">
 <meta charset="utf-8">
@@ -23,8 +25,7 @@ PAGE = """<!doctype html>
 <title>rapidsim: recordings to look at</title>
 <style>
   :root { color-scheme: light dark }
-  body { font: 16px/1.5 system-ui, sans-serif }
-  body { max-width: 70rem; margin: 2rem auto; padding: 0 1rem }
+  body { font: 16px/1.5 system-ui, sans-serif; max-width: 70rem; margin: auto; padding: 1rem }
   figure { margin: 0 }
   main { display: grid; grid-template-columns: repeat(auto-fill, minmax(18rem, 1fr)); gap: 1.5rem }
   img { width: 100%; display: block }
@@ -45,7 +46,7 @@ def main() -> None:
     folder = Path(sys.argv[1])
     folder.mkdir(parents=True, exist_ok=True)
     figures = "\n".join(_figure(name, run, folder) for name, run in RUNS.items())
-    page = PAGE.replace("{{figures}}", figures)
+    page = filled(PAGE, {"figures": figures})
     (folder / "index.html").write_text(page, encoding="utf-8", newline="\n")
 
 

@@ -270,9 +270,8 @@ class Journal:
 
     def line(self, moment: Moment, place: Place) -> None:
         """Record that the program pointer reached a statement."""
-        line = _Line(moment, place)
-        if self.retains_all and (not self._lines or self._lines[-1] != line):
-            self._lines.append(line)
+        if self.retains_all and (not self._lines or self._lines[-1] != (moment, place)):
+            self._lines.append(_Line(moment, place))
 
     def rows(self, instants: Sequence[Instant], targets: AnnouncedTargets, first: int) -> None:
         """Record that the pointer reached statements with announced targets, from a number on."""

@@ -73,14 +73,9 @@ def _is_of(path: Path, rows: Sequence[Sequence[Segment]]) -> bool:
     )
 
 
-_WITH_ARRAYS = operator.attrgetter("start", "end", "tcp_from_flange", "via")
-_OTHERS = operator.attrgetter(
-    *(
-        one.name
-        for one in fields(Segment)
-        if one.name not in ("start", "end", "tcp_from_flange", "via")
-    )
-)
+_NAMES = ("start", "end", "tcp_from_flange", "via")
+_WITH_ARRAYS = operator.attrgetter(*_NAMES)
+_OTHERS = operator.attrgetter(*(one.name for one in fields(Segment) if one.name not in _NAMES))
 
 
 def _values(segment: Segment) -> Hashable:

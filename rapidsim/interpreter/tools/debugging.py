@@ -217,8 +217,8 @@ class Debugger:
 
     def first_number(self, frame: FrameType) -> int:
         """Number of the first statement that a frame has executed."""
-        tracer = getattr(frame.f_trace, "__self__", None)
-        return tracer.first if isinstance(tracer, _FrameTracer) else 1
+        tracer = _tracer_of(frame)
+        return 1 if tracer is None else tracer.first
 
     def _switched(self, event: str, arguments: Any) -> None:
         # A greenlet has a trace function of its own.
@@ -237,10 +237,12 @@ class Debugger:
 
     def _tracer(self, frame: FrameType, starts: StatementStarts) -> _FrameTracer:
         caller = next(rapid_frames(frame.f_back), None)
-        known = None if caller is None else _traced_position(caller)
+        tracer = None if caller is None else _tracer_of(caller)
         # From its caller: a deep stack is not counted again for each routine on it.
-        positions = self._positions
-        position = positions.of(frame) if known is None else positions.within(frame, known)
+        if tracer is None:
+            position = self._positions.of(frame)
+        else:
+            position = self._positions.within(frame, tracer.position)
         return _FrameTracer(self, starts, self.number + 1, position, self._mark(position))
 
     def _mark(self, position: StepPosition) -> int:
@@ -322,7 +324,8 @@ class Debugger:
         if self.current_task() is not self._task or self._step_start is None:
             return False
         assert self._reach is not None
-        position = _traced_position(frame) or self._positions.of(frame)
+        tracer = _tracer_of(frame)
+        position = self._positions.of(frame) if tracer is None else tracer.position
         return position.ends_step(self._step_start, self._reach)
 
     def _is_at_breakpoint(self, frame: FrameType) -> bool:
@@ -377,10 +380,9 @@ class _FrameTracer:
         return self.trace
 
 
-def _traced_position(frame: FrameType) -> StepPosition | None:
-    """Position of a frame that is traced; None for any other."""
+def _tracer_of(frame: FrameType) -> _FrameTracer | None:
     tracer = getattr(frame.f_trace, "__self__", None)
-    return tracer.position if isinstance(tracer, _FrameTracer) else None
+    return tracer if isinstance(tracer, _FrameTracer) else None
 
 
 def error_text(error: RapidError) -> str:

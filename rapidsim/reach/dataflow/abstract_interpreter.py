@@ -461,6 +461,7 @@ class AbstractInterpreter:
         recorder = ControllerStub(self.state.settings.settings, self.program.cell.places_parts)
         signature = routine.signature
         done: InstructionEffect | str = "only a run can tell"
+        before = self.state.last
         if moving or fields or not signature.takes_controller:
             done = perform(routine, call.arguments, self._evaluator, recorder)
         if isinstance(done, InstructionEffect):
@@ -471,11 +472,9 @@ class AbstractInterpreter:
             self.state.settings = KnownSettings(recorder.settings, uncertain)
         else:
             asked = f"`{{name}}` comes from `{routine.name}`"
-            before = self.state.last
             self._forget_effects(self.effects.of_bodies((call,)), asked)
-            self.state.last = before if recorder.moves else self.state.last
         if Trait.LEAVE_PATH in routine.traits:
-            self.state.last = None
+            before = self.state.last = None
         if not moving:
             return
         moves, settings = recorder.moves, self.state.settings
@@ -488,8 +487,6 @@ class AbstractInterpreter:
             return
         if call in self.runs:
             self._steps_remaining -= len(self.runs[call][0])
-        self.state.last = self.table.add(
-            call, moves[0], self._stack[-1].routine, settings, self.state.last
-        )
+        self.state.last = self.table.add(call, moves[0], self._stack[-1].routine, settings, before)
         if Trait.SEARCH in routine.traits:
             self.state.last = None

@@ -96,13 +96,13 @@ def perform(
 
 def _is_path_event(parameter: Parameter, *, searches: bool) -> bool:
     """Whether a parameter affects what happens along the path of a move, not where it leads."""
-    result = searches and parameter.mode is ParameterMode.INOUT
-    return result or bool(_EVENT_TYPES & set(parameter.types))
+    is_result = searches and parameter.mode is ParameterMode.INOUT
+    return is_result or not _EVENT_TYPES.isdisjoint(parameter.types)
 
 
 def _path_event_value(parameter: Parameter) -> object:
     value = _ANY_TRIGGER if _TRIGGER in parameter.types else _ANY_SIGNAL
-    return Box(value) if _TRIGGER in parameter.types or by_reference(parameter.mode) else value
+    return Box(value) if by_reference(parameter.mode) else value
 
 
 def _execute(

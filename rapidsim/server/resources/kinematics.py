@@ -101,9 +101,11 @@ def _vector(form: Fields, name: str, count: int) -> Array:
         values = json.loads(text) if len(text) < 1000 else None
     except ValueError:
         values = None
-    if not isinstance(values, list) or len(values) != count:
-        raise refused(BAD_PARAMETER, f"`{name}` is a list of {count} numbers")
-    if not all(type(one) in (int, float) and math.isfinite(one) for one in values):
+    if (
+        not isinstance(values, list)
+        or len(values) != count
+        or not all(type(one) in (int, float) and math.isfinite(one) for one in values)
+    ):
         raise refused(BAD_PARAMETER, f"`{name}` is a list of {count} numbers")
     return np.array(values, dtype=np.float64)
 

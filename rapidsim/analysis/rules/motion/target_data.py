@@ -23,9 +23,8 @@ _ALSO_UNUSED = (0.0, 9999.0)
 _CONFIGURATION, _EXTERNAL = 2, 3
 _QUARTERS = 12
 """Three revolutions of an axis in either direction; robot axes turn no further."""
-
-
 _LAST_BRANCH = 7
+"""Largest number of the eight branches of an arm with six axes."""
 
 
 class ExternalAxisValue(Violation, code="M510"):
