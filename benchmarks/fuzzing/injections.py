@@ -302,7 +302,8 @@ def _is_whole(file: str, data: bytes) -> bool:
 def _forget() -> None:
     """Forget what functions have kept of files."""
     for kept in gc.get_objects():
-        if isinstance(kept, _Kept) and kept.__module__.startswith("rapidsim."):
+        # Not `isinstance`, which asks a weak proxy for the class of an object that may be gone.
+        if type(kept) is _Kept and kept.__module__.startswith("rapidsim."):
             kept.cache_clear()
 
 

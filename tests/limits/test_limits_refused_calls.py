@@ -3,9 +3,11 @@
 A sample: of some commands, each so many-th place that calls the system.
 """
 
+import weakref
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
+from types import SimpleNamespace
 
 import pytest
 from fuzzing.injections import Injections
@@ -17,6 +19,14 @@ from rapidsim.export import trace
 @pytest.fixture(autouse=True)
 def without_kept_results(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("RAPIDSIM_NO_CACHE", "1")
+
+
+@pytest.fixture(autouse=True)
+def weak_proxy_of_nothing() -> Iterator[None]:
+    """Something that other tests may leave behind, and that has no class to ask for."""
+    proxy = weakref.proxy(SimpleNamespace())
+    yield
+    del proxy
 
 
 @pytest.mark.parametrize(
