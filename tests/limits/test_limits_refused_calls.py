@@ -7,7 +7,6 @@ import weakref
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
-from types import SimpleNamespace
 
 import pytest
 from fuzzing.injections import Injections
@@ -24,7 +23,7 @@ def without_kept_results(monkeypatch: pytest.MonkeyPatch) -> None:
 @pytest.fixture(autouse=True)
 def weak_proxy_of_nothing() -> Iterator[None]:
     """Something that other tests may leave behind, and that has no class to ask for."""
-    proxy = weakref.proxy(SimpleNamespace())
+    proxy = weakref.proxy(set[str]())
     yield
     del proxy
 
