@@ -105,8 +105,10 @@ def _lines(places: Array, speeds: Array, at: Index, window: float) -> tuple[Arra
     first, after = spans_around(places, middle, most, window)
     slopes = _slopes(places, speeds, at, (first, after - 1)).clip(-_STEEP / window, _STEEP / window)
     slopes[np.abs(slopes) < _LEVEL / window] = 0.0
-    shifted = middle + slopes * most * window**2 / 12.0
-    return slopes, *spans_around(places, shifted, most, window)
+    lean = np.flatnonzero(slopes)
+    shifted = middle[lean] + slopes[lean] * most[lean] * window**2 / 12.0
+    first[lean], after[lean] = spans_around(places, shifted, most[lean], window)
+    return slopes, first, after
 
 
 def spans_around(places: Array, middle: Array, speeds: Array, window: float) -> tuple[Index, Index]:

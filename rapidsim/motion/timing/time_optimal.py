@@ -28,6 +28,8 @@ _ROUNDS = 3
 _MORE_ROUNDS = 3
 """Rounds after those that save time, which cut only stages that break a limit."""
 _MOST_PARTS = 8
+_FEW = 1e-3
+"""Share of the stages that are cut finely because they are the only ones to break a limit."""
 _IDLE = 1e-5
 """Share of its segment's time that a stage may lose by its size."""
 _IDLE_S = 1e-6
@@ -192,6 +194,9 @@ def _parts(problem: Problem, result: StageMotion, *, save_time: bool) -> Index:
     parts = np.sqrt(np.maximum(over, 0.0))
     if save_time:
         parts = np.maximum(parts, _parts_worth_while(problem, result, np.maximum(load, speed)))
+    elif np.count_nonzero(parts > 1.0) < _FEW * len(parts):
+        # A round costs time for all stages: finer parts of a few make the next one unnecessary.
+        parts[parts > 1.0] = _MOST_PARTS
     whole: Index = np.clip(np.ceil(parts), 1, _MOST_PARTS).astype(np.int64)
     return whole
 
