@@ -7,11 +7,9 @@ from collections.abc import Sequence
 from html import escape
 
 from rapidsim.applications.diff.changes import Comparison, TimeChange
+from rapidsim.applications.diff.path_views import path_views
 from rapidsim.applications.diff.rendering import ReportBlock, blocks, time_cells
 
-_SIDE = 460
-_MARGIN = 24
-_VIEWS = (("from above", 0, 1), ("from the side", 0, 2))
 _STYLE = """
 :root { --page: #f4f5f7; --panel: #fff; --ink: #1b2330; --soft: #5c6675; --old: #8a93a1;
   --new: #d97800; --rule: #dde1e7 }
@@ -30,6 +28,7 @@ th { color: var(--soft); font-weight: normal } td:first-child { padding-left: 0;
 .views { display: flex; flex-wrap: wrap; gap: 16px }
 figure { margin: 0; flex: 1 1 300px } svg { width: 100%; height: auto } figcaption, .key {
   color: var(--soft); font-size: 13px }
+svg line { stroke: var(--rule); stroke-width: 1 } svg text { fill: var(--soft); font-size: 12px }
 polyline { fill: none; stroke-width: 1.6; vector-effect: non-scaling-stroke }
 /* Wide, so that it is seen where both go the same way. */
 .old { stroke: var(--old); color: var(--old) } polyline.old { stroke-width: 5; opacity: 0.55 }
@@ -76,28 +75,9 @@ def _table(times: Sequence[TimeChange]) -> str:
 
 
 def _paths(comparison: Comparison) -> str:
-    """Return two views of the TCP paths, to one scale."""
-    points = [point for path in comparison.paths for point in path]
-    if not points:
+    """Return views of the TCP paths."""
+    views = path_views(*comparison.paths)
+    if not views:
         return ""
-    low = [min(point[axis] for point in points) for axis in range(3)]
-    size = max(max(point[axis] for point in points) - low[axis] for axis in range(3)) or 1.0
-    scale = (_SIDE - 2 * _MARGIN) / size
-    figures = []
-    for title, across, up in _VIEWS:
-        lines = []
-        for name, path in zip(("old", "new"), comparison.paths, strict=True):
-            places = " ".join(
-                f"{_MARGIN + scale * (point[across] - low[across]):.1f},"
-                f"{_SIDE - _MARGIN - scale * (point[up] - low[up]):.1f}"
-                for point in path
-            )
-            lines.append(f'<polyline class="{name}" points="{places}"/>')
-        axes = f"{'xyz'[across]} to the right, {'xyz'[up]} up"
-        figures.append(
-            f'<figure><svg viewBox="0 0 {_SIDE} {_SIDE}" role="img">{"".join(lines)}</svg>'
-            f"<figcaption>{title}: {axes}</figcaption></figure>"
-        )
     key = '<p class="key"><b class="old">before</b>, <b class="new">after</b></p>'
-    views = f'<div class="views">{"".join(figures)}</div>'
     return f"<section><h2>Path of the TCP</h2>{views}{key}</section>"
