@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
+from itertools import pairwise
 
 import numpy as np
 
@@ -34,7 +35,7 @@ _OF_SURFACES = 2.5
 _OF_TRAVEL, _OF_GAP = 0.1, 0.025
 """Tolerance of gaps of surfaces, as shares of the travel in an interval and of the gap."""
 _BLOCK = 2000
-"""Number of instants in the first pass of a block."""
+"""Number of steps in a block, about: many short blocks cost more than a few long ones."""
 _MOST_LOOKS = 400_000
 """Number of pairs times instants checked in a block before the search gives up."""
 _ROUND, _BEST = 400, 24
@@ -86,7 +87,8 @@ def _sample_times(scene: Scene, end_s: float) -> list[Array]:
         if begin > reached:
             blocks.append(np.array([reached, begin]))
         times = _stepped(begin, brief[(brief > begin) & (brief < end)], end)
-        blocks += [times[at : at + _BLOCK + 1] for at in range(0, len(times) - 1, _BLOCK)]
+        edges = np.linspace(0, len(times) - 1, max(1, round(len(times) / _BLOCK)) + 1).astype(int)
+        blocks += [times[at : to + 1] for at, to in pairwise(edges.tolist())]
         reached = end
     if end_s > reached or not blocks:
         blocks.append(np.array([reached, max(end_s, reached)]))

@@ -2,7 +2,8 @@
 
 Most bodies of a cell can be parted by a plane, and this bound is then close to their distance, for
 a thousandth of what many triangles cost. So that it has few points, the body is the hull of those
-that are extreme in some direction, rounded by the distance of the farthest point outside it.
+that are extreme in some direction, and of those farthest outside of that hull, rounded by the
+distance of the next one.
 """
 
 from __future__ import annotations
@@ -17,7 +18,8 @@ from rapidsim.collisions.overlap import directions_around
 from rapidsim.collisions.shape import Shape
 from rapidsim.frames.transform import Transform
 
-_DIRECTIONS = 1000
+_DIRECTIONS, _OUTSIDE = 1000, 1000
+"""Numbers of directions, and of points outside the hull of their extreme points that are added."""
 _FEW = 2500
 """Number of points up to which all are kept."""
 _KEPT = 16
@@ -47,4 +49,7 @@ def _around(coordinates: bytes) -> ConvexPart:
     seen = Transform(np.broadcast_to(np.eye(3), (len(points), 3, 3)), points)
     parts = ConvexParts([ConvexPart(np.zeros((1, 3))), hull])
     excess = distances(parts, row, row + 1, seen, close=_CLOSE_M).distances_found
-    return ConvexPart(hull.points, radius=max(0.0, float(excess.max())) + _CLOSE_M)
+    *more, next_one = np.argsort(-excess, kind="stable")[: _OUTSIDE + 1]
+    more = [point for point in more if excess[point] > 0.0]
+    radius = max(0.0, float(excess[next_one])) + _CLOSE_M
+    return ConvexPart(np.concatenate([hull.points, points[more]]), radius=radius)
