@@ -255,22 +255,28 @@ def campaign(room: str, files: Sequence[str], count: int, seed: int, *, texts: b
     chosen = random.Random(seed).sample(found, min(count, len(found)))
     with tempfile.TemporaryDirectory() as name:
         repository = Copy(Path(name), room)
-        survived, unseen, begin = 0, 0, time.monotonic()
-        for mutant in chosen:
-            if repository.kills(mutant):
-                continue
-            survived += 1
-            is_seen = bool(repository.tests(mutant))
-            unseen += not is_seen
-            note = "" if is_seen else "  (no test of the room executes it)"
-            print(f"{mutant.file}:{mutant.line}: {mutant.before} -> {mutant.after}{note}")
-            sys.stdout.flush()
-        share = 100.0 * (1.0 - survived / max(1, len(chosen)))
-        print(
-            f"{room}, seed {seed}: {len(chosen)} of {len(found)} changes, {share:.0f} % die,"
-            f" {survived} survive, {unseen} of them on lines that no test of the room executes;"
-            f" {time.monotonic() - begin:.0f} s"
-        )
+        tried, survived, unseen, begin = 0, 0, 0, time.monotonic()
+        try:
+            for mutant in chosen:
+                is_killed = repository.kills(mutant)
+                tried += 1
+                if is_killed:
+                    continue
+                survived += 1
+                is_seen = bool(repository.tests(mutant))
+                unseen += not is_seen
+                note = "" if is_seen else "  (no test of the room executes it)"
+                print(f"{mutant.file}:{mutant.line}: {mutant.before} -> {mutant.after}{note}")
+                sys.stdout.flush()
+        finally:
+            # Also of a campaign that is stopped.
+            share = 100.0 * (1.0 - survived / max(1, tried))
+            print(
+                f"{room}, seed {seed}: {tried} of {len(found)} changes, {share:.0f} % die,"
+                f" {survived} survive, {unseen} of them on lines that no test of the room executes;"
+                f" {time.monotonic() - begin:.0f} s",
+                flush=True,
+            )
 
 
 def main() -> None:

@@ -346,15 +346,14 @@ class Tried:
 
 
 def changed(data: bytes, dice: random.Random, others: tuple[bytes, ...]) -> bytes:
-    """Bytes with a few cut, doubled, changed, or exchanged for some of another file."""
+    """Bytes with a few cut, doubled, changed, exchanged for some of another file or for many 9."""
     for _ in range(dice.randrange(1, 6)):
         start = dice.randrange(len(data) + 1)
         stop = start + dice.choice((0, 1, 1, 2, 8, 40))
         other = dice.choice(others)
         at = dice.randrange(len(other) + 1)
-        new = dice.choice(
-            (b"", dice.randbytes(1), dice.randbytes(4), other[at : at + 30], data[start:stop] * 2)
-        )
+        odd = (b"", dice.randbytes(1), dice.randbytes(4), b"9" * 20)
+        new = dice.choice((*odd, other[at : at + 30], data[start:stop] * 2))
         data = data[:start] + new + data[stop:]
     return data
 

@@ -120,6 +120,12 @@ def gltf(**changed: object) -> bytes:
     return json.dumps({**tree, **changed}).encode()
 
 
+def ply(face: bytes) -> bytes:
+    corners = b"element vertex 1\nproperty float x\nproperty float y\nproperty float z\n"
+    faces = b"element face 1\nproperty list uchar float vertex_indices\n"
+    return b"ply\nformat ascii 1.0\n" + corners + faces + b"end_header\n0 0 0\n" + face + b"\n"
+
+
 BAD = {
     "missing.stl": (None, "does not exist"),
     "empty.stl": (b"", "not an STL file"),
@@ -132,6 +138,7 @@ BAD = {
     "words.stl": (b"solid x\nfacet\nvertex 1 2 three\n", "is damaged"),
     "half.stl": (b"solid x\nvertex 1 2 3\n", "truncated"),
     "far.obj": (b"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 9\n", "a corner that does not exist"),
+    "beyond.obj": (b"v 0 0 0\nf 1 2 " + b"9" * 30, "a corner that does not exist"),
     "bad.obj": (b"v 0 0\n", "bad.obj:1"),
     "none.obj": (b"# nothing\n", "has no triangles"),
     "many.obj": (b"v 0 0 0\nf " + b"1 " * 200_000 + b"\n", "more than 100000 triangles"),
@@ -143,6 +150,8 @@ BAD = {
         b"ply\nformat ascii 1.0\nelement vertex 999999999\nproperty float x\nend_header\n",
         "damaged or truncated PLY",
     ),
+    "beyond.ply": (ply(b"3 0 1 " + b"9" * 30), "a corner that does not exist"),
+    "nan.ply": (ply(b"3 0 1 nan"), "damaged or truncated PLY"),
     "text.ply": (b"hello", "not a PLY file"),
     "bad.gltf": (b"{", "not a readable glTF"),
     "list.gltf": (b"[1]", "not a readable glTF"),

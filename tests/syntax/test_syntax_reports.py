@@ -10,7 +10,7 @@ from pathlib import Path
 
 import pytest
 
-from rapidsim.diagnostics import Diagnostic, Source
+from rapidsim.diagnostics import Diagnostic, Source, Span
 from rapidsim.syntax.parser import parse
 
 BROKEN = sorted(
@@ -19,13 +19,20 @@ BROKEN = sorted(
 
 
 def line(diagnostic: Diagnostic) -> str:
-    """A report in one line."""
+    """A report in one line, with the texts that it underlines."""
     span, violation = diagnostic.span, diagnostic.violation
     assert span is not None
-    text = f"{span.line}:{span.column} {violation.severity}[{violation.code}] {violation.message}"
+    place = f"{span.line}:{span.column} {underlined(span)}"
+    text = f"{place} {violation.severity}[{violation.code}] {violation.message}"
     for related in diagnostic.related:
-        text += f" ({related.message}: {related.span.line})"
+        text += f" ({related.message}: {related.span.line} {underlined(related.span)})"
     return text
+
+
+def underlined(span: Span) -> str:
+    """The text of a span, with its beginning and end if it is long."""
+    text = repr(span.source.text[span.start : span.end])
+    return text if len(text) <= 40 else f"{text[:18]}...{text[-18:]}"
 
 
 def reports(text: str) -> list[str]:

@@ -6,7 +6,7 @@ from itertools import pairwise
 
 import numpy as np
 
-from rapidsim.collisions.meshes.triangles import Faces, require_few
+from rapidsim.collisions.meshes.triangles import Faces, face_array, require_few
 from rapidsim.files import InputError
 from rapidsim.frames.transform import Array
 
@@ -32,7 +32,7 @@ def read_obj(name: str, data: bytes) -> tuple[Array, Faces]:
         except ValueError:
             text = line.decode("utf-8", "replace").strip()
             raise InputError(f"{name}:{number}: `{text[:60]}` cannot be read") from None
-    return np.array(corners).reshape(-1, 3), np.array(faces, dtype=np.int64).reshape(-1, 3)
+    return np.array(corners).reshape(-1, 3), face_array(name, faces)
 
 
 def _corner(word: bytes, count: int) -> int:

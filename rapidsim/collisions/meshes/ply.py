@@ -14,7 +14,7 @@ from types import MappingProxyType
 
 import numpy as np
 
-from rapidsim.collisions.meshes.triangles import MOST_TRIANGLES, Faces, require_few
+from rapidsim.collisions.meshes.triangles import MOST_TRIANGLES, Faces, face_array, require_few
 from rapidsim.files import InputError
 from rapidsim.frames.transform import Array
 
@@ -55,13 +55,13 @@ def read_ply(name: str, data: bytes) -> tuple[Array, Faces]:
         order, elements = _header(head)
         rows = _rows(body.split(b"\n", 1)[1], order, elements)
         corners = np.array([row[:3] for row in rows["vertex"]], dtype=np.float64)
+        faces: list[tuple[int, int, int]] = []
+        for around in rows.get("face", []):
+            faces += [(int(around[0]), int(b), int(c)) for b, c in pairwise(around[1:])]
+            require_few(name, len(faces))
     except (ValueError, IndexError, KeyError, struct.error, OverflowError):
         raise InputError(f"{name} is a damaged or truncated PLY file") from None
-    faces: list[tuple[int, int, int]] = []
-    for around in rows.get("face", []):
-        faces += [(int(around[0]), int(b), int(c)) for b, c in pairwise(around[1:])]
-        require_few(name, len(faces))
-    return corners.reshape(-1, 3), np.array(faces, dtype=np.int64).reshape(-1, 3)
+    return corners.reshape(-1, 3), face_array(name, faces)
 
 
 def _header(head: bytes) -> tuple[str, list[_Element]]:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import numpy as np
 import numpy.typing as npt
 
@@ -13,6 +15,7 @@ from rapidsim.values import value_class
 Faces = npt.NDArray[np.int64]
 
 MOST_TRIANGLES = 100_000
+_NO_CORNER = "{} is damaged: a triangle refers to a corner that does not exist"
 _MANY = 5000
 """Number of faces of a piece above which its edges are checked before all its points."""
 _LEVEL = 1e-7
@@ -50,7 +53,7 @@ def checked_triangles(name: str, vertices: Array, faces: Faces) -> Triangles:
     if not len(faces):
         raise InputError(f"{name} has no triangles")
     if faces.min() < 0 or faces.max() >= len(vertices):
-        raise InputError(f"{name} is damaged: a triangle refers to a corner that does not exist")
+        raise InputError(_NO_CORNER.format(name))
     if len(vertices) > 3 * len(faces):
         named, back = np.unique(faces, return_inverse=True)
         vertices, faces = vertices[named], back.reshape(-1, 3)
@@ -71,6 +74,18 @@ def checked_triangles(name: str, vertices: Array, faces: Faces) -> Triangles:
     if not len(faces):
         raise InputError(f"{name}: no triangle has an area")
     return Triangles(vertices, faces, _is_closed(faces, len(vertices)))
+
+
+def face_array(name: str, faces: Sequence[tuple[int, int, int]]) -> Faces:
+    """Return the faces (f, 3) of a list.
+
+    Raises:
+        InputError: If an index of a corner is beyond all numbers of an array.
+    """
+    try:
+        return np.array(faces, dtype=np.int64).reshape(-1, 3)
+    except OverflowError:
+        raise InputError(_NO_CORNER.format(name)) from None
 
 
 def _distinct(rows: Array) -> tuple[Index, Index]:
