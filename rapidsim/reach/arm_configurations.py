@@ -6,7 +6,7 @@ that their path leads to. If even that is unknown, the next path is not checked.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from collections.abc import Set as AbstractSet
 
 import numpy as np
@@ -14,7 +14,6 @@ import numpy as np
 from rapidsim.controller.moves.configuration_choice import nearest_without_switch
 from rapidsim.controller.moves.first_start import first_configuration
 from rapidsim.frames.transform import Array, Transform
-from rapidsim.language.data import ConfData, RobTarget
 from rapidsim.motion.configurations.compliance import Match, hold
 from rapidsim.motion.configurations.confdata import (
     Integers,
@@ -34,15 +33,18 @@ from rapidsim.motion.model import MotionModel
 from rapidsim.motion.path.wrist_circle import wrist_circle_error
 from rapidsim.motion.robot.robot import Robot
 from rapidsim.reach.dataflow.circle_modes import is_wrist_driven, may_be_wrist_driven
-from rapidsim.reach.dataflow.known_moves import KnownMove
-from rapidsim.reach.move_segments import segments_of
+from rapidsim.reach.dataflow.known_moves import KnownMove, KnownMoves
+from rapidsim.reach.move_segments import segment_of_row
 from rapidsim.reach.target_poses import PosedMoves
+from rapidsim.repeated_rows import Index
 from rapidsim.values import value_class
 
 MOST_SEARCHED = 40
 """Largest number of targets that are solved iteratively; the others need a run."""
 _BATCH = 4096
 _MOST = 9999.0
+_CONFDATA = slice(7, 11)
+"""Place of a configuration among the numbers of a target."""
 
 
 @value_class(frozen=True, slots=True, eq=False)
@@ -84,8 +86,7 @@ class Beginning:
 def ends_of(posed: PosedMoves, robot: Robot, *, exact: bool = False) -> EndSolutions:
     """Solve the ends of all moves; `exact` tolerates no quarter turn."""
     count = len(posed.moves)
-    looked_at = np.ones(count, dtype=bool)
-    looked_at[list(posed.left_out)] = False
+    looked_at = posed.is_placed.copy()
     past = external_excess(robot, posed.external).any(axis=-1)
     reachable, works, held = (np.zeros(count, dtype=bool) for _ in range(3))
     matches = np.full(count, Match.OTHER, dtype=np.int64)
@@ -94,7 +95,7 @@ def ends_of(posed: PosedMoves, robot: Robot, *, exact: bool = False) -> EndSolut
     stored[to_axes] = posed.axes[to_axes]
     works[to_axes] = ~programmed_excess(robot, posed.axes[to_axes]).any(axis=-1)
     reachable[to_axes] = held[to_axes] = works[to_axes]
-    led = np.array([is_wrist_driven(known, robot) for known in posed.moves], dtype=bool)
+    led = posed.moves.each(lambda known: is_wrist_driven(known, robot))
     # Feasibility follows from the path; the target pose itself is not reached.
     reachable[looked_at & led] = True
     rows = np.flatnonzero(looked_at & ~posed.to_axes & ~led)
@@ -103,7 +104,7 @@ def ends_of(posed: PosedMoves, robot: Robot, *, exact: bool = False) -> EndSolut
         rows = rows[:MOST_SEARCHED]
     for first in range(0, len(rows), _BATCH):
         at = rows[first : first + _BATCH]
-        confdata = confdata_columns([posed.moves[row] for row in at.tolist()])
+        confdata = confdata_columns(posed.moves, at)
         solved = solved_ends(robot, posed.base_from_flange[at], confdata, exact=exact)
         reachable[at], works[at], held[at] = (
             solved.reachable,
@@ -161,44 +162,51 @@ def stances_of(
         lost: Rows whose path fails; without a stored configuration, their end is unknown.
         beginning: Start of a run of main; None if unknown.
     """
-    count = len(posed.moves)
+    count, moves = len(posed.moves), posed.moves
     joints = np.zeros((count, len(robot.joints)))
     sure = np.zeros(count, dtype=bool)
-    row = 0
-    while row < count:
-        known = posed.moves[row]
-        if row in arrivals:
-            joints[row], sure[row] = arrivals[row], True
-        elif may_be_wrist_driven(known, robot):
-            arrival = _wrist_circle_end(posed, ends, robot, model, row, joints, sure)
-            if arrival is not None:
-                joints[row], sure[row] = arrival, True
-        elif posed.to_axes[row] or (ends.stored_works[row] and is_monitored(known, robot)):
-            joints[row], sure[row] = ends.stored[row], ends.stored_works[row]
-        elif known.begins and beginning is not None and ends.reachable[row]:
+    may_be_led = moves.each(lambda known: may_be_wrist_driven(known, robot))
+    as_stored = ends.stored_works & moves.each(lambda known: is_monitored(known, robot))
+    in_line = moves.each(lambda known: known.move.interpolation.leads_tcp) & ~may_be_led
+    in_line &= ends.reachable & ~as_stored
+    in_line &= moves.previous == np.arange(-1, count - 1)
+    settled = np.zeros(count, dtype=bool)
+    settled[[*arrivals, *lost]] = True
+    in_line &= ~settled
+    ahead = (posed.to_axes | as_stored) & ~may_be_led
+    joints[ahead], sure[ahead] = ends.stored[ahead], ends.stored_works[ahead]
+    for row, arrival in arrivals.items():
+        joints[row], sure[row], ahead[row] = arrival, True, True
+    # The row after the last of consecutive lines that end in the branch of their start.
+    stops = np.append(np.flatnonzero(~in_line), count)
+    stop = 0
+    for row in np.flatnonzero(~ahead).tolist():
+        if row < stop:
+            continue
+        known, before = moves.like(row), int(moves.previous[row])
+        if may_be_led[row]:
+            led = _wrist_circle_end(posed, ends, robot, model, row, joints, sure)
+            if led is not None:
+                joints[row], sure[row] = led, True
+        elif moves.begins[row] and beginning is not None and ends.reachable[row]:
             first = _first_end(posed, ends, robot, beginning, row)
             if first is not None:
                 joints[row], sure[row] = first, True
-        elif known.previous is not None and sure[known.previous] and ends.reachable[row]:
-            start = joints[known.previous]
+        elif before >= 0 and sure[before] and ends.reachable[row]:
+            start = joints[before]
             if _continues_turned(known, ends, row, robot):
-                flange, stored = posed.base_from_flange[row : row + 1], confdata_columns([known])
+                flange, stored = posed.base_from_flange[row : row + 1], confdata_columns(moves, row)
                 joints[row], sure[row] = hold(robot, flange, stored, start).joints[0], True
-                row += 1
-                continue
-            if known.move.interpolation.leads_tcp:
-                stop = _end_of_chain(posed, ends, robot, {*arrivals, *lost}, row)
+            elif known.move.interpolation.leads_tcp:
+                stop = int(stops[stops.searchsorted(row, "right")])
                 if row not in lost:
                     _follow(posed, robot, range(row, stop), start, joints, sure)
-                row = stop
-                continue
-            if is_free(known):
+            elif is_free(known):
                 found = configurations(robot, posed.base_from_flange[row])
                 if found:
-                    before = configuration(robot.kinematics, start)
-                    joints[row] = nearest_without_switch(found, before).joints
+                    at_start = configuration(robot.kinematics, start)
+                    joints[row] = nearest_without_switch(found, at_start).joints
                     sure[row] = True
-        row += 1
     return EndConfigurations(joints, sure)
 
 
@@ -213,7 +221,7 @@ def _first_end(
     if monitored and not ends.on_stored_branch[row]:
         return None
     if beginning.is_free:
-        stored = stored_confdata(known)
+        stored = stored_confdata(posed.moves, row)
         start = beginning.joints
         first = first_configuration(robot, flange, stored, start, monitored=monitored)
     elif known.move.interpolation.leads_tcp or monitored:
@@ -248,21 +256,16 @@ def _monitoring(known_move: KnownMove) -> bool | None:
     return None if name in known_move.uncertain else bool(getattr(known_move.settings, name))
 
 
-def stored_confdata(known_move: KnownMove) -> tuple[int, int, int, int]:
+def stored_confdata(moves: KnownMoves, row: int) -> tuple[int, int, int, int]:
     """Return cf1, cf4, cf6 and cfx of a move to a pose; absurdly large numbers are clamped."""
-    cf1, cf4, cf6, cfx = map(round, confdata_columns([known_move])[0].tolist())
+    cf1, cf4, cf6, cfx = map(round, confdata_columns(moves, row)[0].tolist())
     return cf1, cf4, cf6, cfx
 
 
-def confdata_columns(moves: Sequence[KnownMove]) -> Array:
+def confdata_columns(moves: KnownMoves, rows: Index | int) -> Array:
     """Return the stored cf1, cf4, cf6 and cfx of the targets of moves to poses, shape (k, 4)."""
-    written = np.array([_robconf(known) for known in moves], dtype=np.float64).reshape(-1, 4)
+    written = moves.numbers(np.atleast_1d(rows))[:, _CONFDATA]
     return np.rint(np.clip(written, -_MOST, _MOST))
-
-
-def _robconf(known_move: KnownMove) -> ConfData:
-    assert isinstance(known_move.move.to, RobTarget)
-    return known_move.move.to.robconf
 
 
 def _wrist_circle_end(
@@ -280,31 +283,13 @@ def _wrist_circle_end(
     starts = before is not None and sure[before] and ends.looked_at[row]
     if not starts or not is_wrist_driven(known, robot):
         return None
-    (segment,) = segments_of(posed, joints, robot, model, [row])
+    segment = segment_of_row(posed, joints, robot, model, row)
     if circle_fault(segment) is not None:
         return None
     led = wrist_circle_error(robot.kinematics, segment)
     if led is None or pose_excess(robot, led.arrival).any():
         return None
     return led.arrival
-
-
-def _end_of_chain(
-    posed: PosedMoves, ends: EndSolutions, robot: Robot, settled: AbstractSet[int], row: int
-) -> int:
-    """Return the row after the last of consecutive lines that end in the branch of their start."""
-    stop = row + 1
-    while (
-        stop < len(posed.moves)
-        and (known := posed.moves[stop]).previous == stop - 1
-        and known.move.interpolation.leads_tcp
-        and stop not in settled
-        and not may_be_wrist_driven(known, robot)
-        and ends.reachable[stop]
-        and not (ends.stored_works[stop] and is_monitored(known, robot))
-    ):
-        stop += 1
-    return stop
 
 
 def _follow(

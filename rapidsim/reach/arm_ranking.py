@@ -14,6 +14,8 @@ from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 from statistics import median
 
+import numpy as np
+
 from rapidsim.analysis.program import Program
 from rapidsim.frames.transform import Array, Transform
 from rapidsim.language.data import JointTarget, RobTarget
@@ -23,7 +25,7 @@ from rapidsim.motion.configurations.reachability import programmed_excess
 from rapidsim.motion.robot.catalogue import find_entry, robot_names
 from rapidsim.motion.robot.robot import Robot, load_robot
 from rapidsim.reach.arm_configurations import confdata_columns, solved_ends
-from rapidsim.reach.dataflow.known_moves import KnownMove
+from rapidsim.reach.dataflow.known_moves import KnownMove, KnownMoves
 from rapidsim.reach.dataflow.program_walk import walk_program
 from rapidsim.reach.target_poses import posed
 from rapidsim.values import value_class
@@ -163,14 +165,13 @@ def program_targets(
     moves = list(distinct.values())
     chosen = [moves[row] for row in _chosen(len(moves), _MOST_TARGETS)]
     # Poses do not depend on the arm.
-    placed = posed(chosen, load_robot(robot_names()[0]), base_from_world)
-    rows = [row for row in range(len(chosen)) if row not in placed.left_out]
+    listed = KnownMoves.listed(chosen)
+    placed = posed(listed, load_robot(robot_names()[0]), base_from_world)
+    rows = np.flatnonzero(placed.is_placed)
     ends = [*(known.move.to for known in chosen), *axes]
     return ProgramTargets(
-        Transform(
-            placed.base_from_flange.rotation[rows], placed.base_from_flange.translation[rows]
-        ),
-        confdata_columns([chosen[row] for row in rows]),
+        placed.base_from_flange[rows],
+        confdata_columns(listed, rows),
         tuple(list(axes)[row] for row in _chosen(len(axes), _MOST_TARGETS)),
         heaviest,
         () if has_axis_a else _arm_angles(ends),

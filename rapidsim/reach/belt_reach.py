@@ -22,7 +22,7 @@ from rapidsim.motion.configurations.targets import (
     transform,
 )
 from rapidsim.motion.robot.robot import Robot
-from rapidsim.reach.dataflow.known_moves import KnownMove
+from rapidsim.reach.dataflow.known_moves import KnownMove, KnownMoves
 from rapidsim.reach.wording import target_span, target_text
 
 _MOST_PLACES = 60
@@ -31,14 +31,16 @@ _LONGEST_MM = 20.0
 
 def belt_findings(
     program: Program,
-    moves: Sequence[KnownMove],
+    moves: KnownMoves,
     robot: Robot,
     base_from_world: Transform,
     conveyors: Sequence[ConveyorScript],
 ) -> Iterator[Diagnostic]:
     """K601: targets on belts that the arm reaches nowhere between the switch and `maximum`."""
     scripts = {one.unit.lower(): one for one in conveyors if np.isfinite(one.most_mm)}
-    for known in moves:
+    on_belts = moves.each(lambda known: known.move.wobj.ufmec.lower() in scripts)
+    for row in np.flatnonzero(on_belts).tolist():
+        known = moves[row]
         move, wobj = known.move, known.move.wobj
         script = None if wobj.ufprog or wobj.robhold else scripts.get(wobj.ufmec.lower())
         if script is None or not isinstance(move.to, RobTarget) or robot.external:

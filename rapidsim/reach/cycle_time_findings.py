@@ -40,10 +40,9 @@ def stop_findings(
     program: Program, posed: PosedMoves, surveyed: SurveyedPaths
 ) -> Iterator[Diagnostic]:
     """D702: a stop point between two lines in one direction with nothing between them."""
-    for after in surveyed.segments:
-        known = posed.moves[after]
-        before = known.previous
-        if before is None or before not in surveyed.segments:
+    for after in np.flatnonzero(surveyed.is_surveyed).tolist():
+        known, before = posed.moves[after], int(posed.moves.previous[after])
+        if not surveyed.is_surveyed[before]:
             continue
         stop = posed.moves[before]
         lines = known.move.interpolation is stop.move.interpolation is Interpolation.LINE
@@ -54,7 +53,7 @@ def stop_findings(
             continue
         into, out = (
             one.end.base_from_tcp.translation - one.start.base_from_tcp.translation
-            for one in (surveyed.segments[before], surveyed.segments[after])
+            for one in (surveyed.make(before), surveyed.make(after))
         )
         lengths = float(np.linalg.norm(into)), float(np.linalg.norm(out))
         if min(lengths) > _SHORTEST and into @ out >= _STRAIGHT * lengths[0] * lengths[1]:

@@ -2,22 +2,24 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+import numpy as np
 
 from rapidsim.controller.moves.move_request import MoveRequest
-from rapidsim.controller.moves.segments import segments
+from rapidsim.controller.moves.segments import segment_of, segment_rows
 from rapidsim.frames.transform import Array
+from rapidsim.motion.geometry.segment_rows import SegmentRows, WaypointRows
 from rapidsim.motion.geometry.segments import Segment, Waypoint
 from rapidsim.motion.model import MotionModel
 from rapidsim.motion.path.wrist_circle import end_of_circle
 from rapidsim.motion.robot.robot import Robot
 from rapidsim.reach.dataflow.circle_modes import is_wrist_driven
 from rapidsim.reach.target_poses import PosedMoves
+from rapidsim.repeated_rows import Index
 
 
 def segments_of(
-    posed: PosedMoves, joints: Array, robot: Robot, model: MotionModel, rows: Sequence[int]
-) -> tuple[Segment, ...]:
+    posed: PosedMoves, joints: Array, robot: Robot, model: MotionModel, rows: Index
+) -> SegmentRows:
     """Return the segments of moves with known starts.
 
     Args:
@@ -27,21 +29,40 @@ def segments_of(
         model: Motion model, for the effect of the load on accelerations.
         rows: Rows of the requested moves.
     """
-    ends: dict[int, Waypoint] = {}
-    starts, requests = [], []
-    for row in rows:
-        known = posed.moves[row]
-        assert known.previous is not None
-        for at in (known.previous, row):
-            if at not in ends:
-                ends[at] = _end(posed, joints, robot, at)
-        starts.append(ends[known.previous])
-        requests.append(MoveRequest(known.move, known.settings, posed.placed[row]))
-    to = [ends[row] for row in rows]
+    moves, before = posed.moves, posed.moves.previous[rows]
+    _, first, kind = np.unique(moves.tree_row[rows], return_index=True, return_inverse=True)
+    is_led = moves.each(lambda known: is_wrist_driven(known, robot))
+
+    def waypoints(at: Index) -> WaypointRows:
+        poses = posed.curve_from_tcp[at]
+        led = np.flatnonzero(is_led[at]).tolist()
+        aims = {row: poses.translation[row] for row in led}
+        return WaypointRows(joints[at], poses, posed.external[at], aims)
+
+    return segment_rows(
+        [_request(posed, row) for row in rows[first].tolist()],
+        kind,
+        waypoints(before),
+        waypoints(rows),
+        robot,
+        payload_acceleration=model.payload_acceleration,
+    )
+
+
+def segment_of_row(
+    posed: PosedMoves, joints: Array, robot: Robot, model: MotionModel, row: int
+) -> Segment:
+    """Return the segment of one move with a known start; see `segments_of`."""
+    start, end = (_end(posed, joints, robot, at) for at in (int(posed.moves.previous[row]), row))
     share = model.payload_acceleration
-    return segments(requests, starts, to, robot, payload_acceleration=share)
+    return segment_of(_request(posed, row), start, end, robot, payload_acceleration=share)
+
+
+def _request(posed: PosedMoves, row: int) -> MoveRequest:
+    known = posed.moves.like(row)
+    return MoveRequest(known.move, known.settings, posed.placed(row))
 
 
 def _end(posed: PosedMoves, joints: Array, robot: Robot, row: int) -> Waypoint:
     end = Waypoint(joints[row], posed.curve_from_tcp[row], posed.external[row])
-    return end_of_circle(end) if is_wrist_driven(posed.moves[row], robot) else end
+    return end_of_circle(end) if is_wrist_driven(posed.moves.like(row), robot) else end

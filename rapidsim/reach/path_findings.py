@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import field, replace
-from functools import partial
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass, field, replace
+from functools import cached_property, partial
 
 import numpy as np
 
@@ -25,10 +25,12 @@ from rapidsim.language.moves import Interpolation, SingularArea
 from rapidsim.motion.configurations.compliance import Match, match
 from rapidsim.motion.configurations.confdata import confdata_of, has_branches
 from rapidsim.motion.geometry.curves import circle_fault
-from rapidsim.motion.geometry.segments import Segment, Waypoint
+from rapidsim.motion.geometry.segment_rows import of_each
+from rapidsim.motion.geometry.segments import Geometry, Segment, Waypoint
+from rapidsim.motion.kinematics.arm import Mask
 from rapidsim.motion.model import MotionModel
 from rapidsim.motion.path.building import build_path
-from rapidsim.motion.path.curve_feasibility import SpeedBottleneck, SurveyedCurve, survey_curves
+from rapidsim.motion.path.curve_feasibility import SpeedBottleneck, survey_curves
 from rapidsim.motion.path.curve_following import PathFault
 from rapidsim.motion.path.wrist_circle import findings_on_pair, wrist_circle_error
 from rapidsim.motion.robot.robot import Robot, RobotError
@@ -41,9 +43,11 @@ from rapidsim.reach.arm_configurations import (
     stances_of,
     stored_confdata,
 )
-from rapidsim.reach.move_segments import segments_of
+from rapidsim.reach.dataflow.known_moves import KnownMove
+from rapidsim.reach.move_segments import segment_of_row, segments_of
 from rapidsim.reach.target_poses import PosedMoves
 from rapidsim.reach.wording import confdata_fix, target_span, target_text
+from rapidsim.repeated_rows import Index
 from rapidsim.values import value_class
 
 _SAME_JOINTS = 1e-3
@@ -60,52 +64,40 @@ _BLOCK = 2000
 """Number of paths that are surveyed at once."""
 
 
-class _Segments(Mapping[int, Segment]):
-    """Segments of rows, created on access: few are used, and each consists of many arrays."""
-
-    def __init__(
-        self, rows: Mapping[int, object], make: Callable[[Sequence[int]], tuple[Segment, ...]]
-    ) -> None:
-        self._rows = rows
-        self._make = make
-
-    def __getitem__(self, row: int) -> Segment:
-        if row not in self._rows:
-            raise KeyError(row)
-        return self._make([row])[0]
-
-    def __iter__(self) -> Iterator[int]:
-        return iter(self._rows)
-
-    def __len__(self) -> int:
-        return len(self._rows)
-
-    def __contains__(self, row: object) -> bool:
-        return row in self._rows
-
-
-@value_class(frozen=True, slots=True, eq=False)
+@dataclass(frozen=True, eq=False)
 class SurveyedPaths:
-    """Surveyed paths of a program, by row of its moves."""
+    """Surveyed paths of a program, by row of its moves (k,)."""
 
     stances: EndConfigurations
-    segments: Mapping[int, Segment]
-    surveyed: Mapping[int, SurveyedCurve]
-    circle_faults: Mapping[int, str]
+    make: Callable[[int], Segment]
+    """Returns the segment of a row: few are needed, and each consists of many arrays."""
+    is_surveyed: Mask
+    travel: Array
+    """Path length [m] of the TCP; 0 for rows that were not surveyed."""
+    turned: Array
+    """Reorientation [rad]."""
+    arrival: Array
+    """Joints (k, n) [rad] at the end of the path."""
+    arrives: Mask
+    """Whether these are known."""
+    is_broken: Mask
+    """The rows whose path cannot be followed to its end."""
+    bottlenecks: dict[int, SpeedBottleneck]
+    circle_faults: dict[int, str]
     strays: Mapping[int, Array]
     """Joints (n,) [rad] of rows that arrive elsewhere than in the solution for their end alone."""
 
-    @property
+    @cached_property
     def broken(self) -> frozenset[int]:
         """The rows whose path cannot be followed to its end."""
-        return frozenset(row for row, way in self.surveyed.items() if way.broken)
+        return frozenset(np.flatnonzero(self.is_broken).tolist())
 
     def driven(self, row: int) -> Segment:
         """Return the segment of a path as in a run, with the joints at its end if known."""
-        segment, way = self.segments[row], self.surveyed[row]
-        if way.arrival is None:
+        segment = self.make(row)
+        if not self.arrives[row]:
             return segment
-        return replace(segment, end=replace(segment.end, joints=way.arrival))
+        return replace(segment, end=replace(segment.end, joints=self.arrival[row]))
 
 
 @value_class(frozen=True, eq=False)
@@ -141,11 +133,7 @@ class PathSurvey:
         """
         ways, lost = self._surveyed({}, frozenset()), frozenset[int]()
         for _ in range(_PASSES):
-            strays = {
-                row: way.arrival
-                for row, way in ways.surveyed.items()
-                if way.arrival is not None and self._strays(row, way, ways)
-            }
+            strays = self._strays(ways)
             failing = ways.broken
             if not strays and failing <= lost:
                 break
@@ -154,47 +142,70 @@ class PathSurvey:
         return ways
 
     def _surveyed(self, strays: Mapping[int, Array], lost: frozenset[int]) -> SurveyedPaths:
-        robot = self.robot
+        robot, posed, count = self.robot, self.posed, len(self.posed.moves)
         arrivals = {**self.known_joints, **strays}
-        stances = stances_of(
-            self.posed, self.ends, robot, self.model, arrivals, lost, self.beginning
+        stances = stances_of(posed, self.ends, robot, self.model, arrivals, lost, self.beginning)
+        ways = SurveyedPaths(
+            stances,
+            partial(segment_of_row, posed, stances.joints, robot, self.model),
+            np.zeros(count, dtype=bool),
+            np.zeros(count),
+            np.zeros(count),
+            np.zeros_like(stances.joints),
+            np.zeros(count, dtype=bool),
+            np.zeros(count, dtype=bool),
+            {},
+            {},
+            strays,
         )
-        if not has_branches(robot.kinematics):
-            return SurveyedPaths(stances, {}, {}, {}, strays)
-        rows = [
-            row
-            for row, known in enumerate(self.posed.moves)
-            if known.move.interpolation.leads_tcp
-            and known.previous is not None
-            and stances.sure[known.previous]
-            and self.ends.looked_at[row]
-            and self.ends.reachable[row]
-            and known.settings.singular_area is SingularArea.OFF
-            and not {"singular_area", "circle_path"} & known.uncertain
-        ]
-        make = partial(segments_of, self.posed, stances.joints, robot, self.model)
-        faults: dict[int, str] = {}
-        surveyed: dict[int, SurveyedCurve] = {}
+        rows = np.flatnonzero(self._is_followed(stances))
         for first in range(0, len(rows), _BLOCK):
-            block = rows[first : first + _BLOCK]
-            by_row = dict(zip(block, make(block), strict=True))
-            for row, segment in tuple(by_row.items()):
-                if (fault := circle_fault(segment)) is not None:
-                    faults[row] = fault
-                    del by_row[row]
-            ways = survey_curves(robot, list(by_row.values()), self._max_speed)
-            surveyed.update(zip(by_row, ways, strict=True))
-        return SurveyedPaths(stances, _Segments(surveyed, make), surveyed, faults, strays)
+            self._survey_block(rows[first : first + _BLOCK], ways)
+        return ways
 
-    def _strays(self, row: int, curve: SurveyedCurve, surveyed: SurveyedPaths) -> bool:
-        if (
-            curve.broken
-            or curve.arrival is None
-            or not surveyed.stances.sure[row]
-            or row in surveyed.strays
-        ):
-            return False
-        return bool(np.abs(curve.arrival - surveyed.stances.joints[row]).max() > _SAME_JOINTS)
+    def _is_followed(self, stances: EndConfigurations) -> Mask:
+        """Shape (k,): whether a move is a line or arc whose start is known."""
+        if not has_branches(self.robot.kinematics):
+            return np.zeros(len(self.posed.moves), dtype=bool)
+        previous = self.posed.moves.previous
+        followed = self.posed.moves.each(
+            lambda known: (
+                known.move.interpolation.leads_tcp
+                and known.settings.singular_area is SingularArea.OFF
+                and not {"singular_area", "circle_path"} & known.uncertain
+            )
+        )
+        followed &= (previous >= 0) & stances.sure[previous]
+        return followed & self.ends.looked_at & self.ends.reachable
+
+    def _survey_block(self, rows: Index, ways: SurveyedPaths) -> None:
+        """Survey the paths of some rows."""
+        joints, robot = ways.stances.joints, self.robot
+        segments = segments_of(self.posed, joints, robot, self.model, rows)
+        is_sound = np.ones(len(rows), dtype=bool)
+        arcs = of_each(segments, lambda segment: segment.geometry is Geometry.ARC)
+        for at in np.flatnonzero(arcs).tolist():
+            if (fault := circle_fault(segments[at])) is not None:
+                ways.circle_faults[int(rows[at])] = fault
+                is_sound[at] = False
+        if not is_sound.all():
+            sound = np.flatnonzero(is_sound)
+            rows, segments = rows[sound], segments.at(sound)
+        if not len(rows):
+            return
+        found = survey_curves(robot, segments, self._max_speed)
+        ways.is_surveyed[rows] = True
+        ways.travel[rows], ways.turned[rows] = found.travel, found.turned
+        ways.arrival[rows], ways.arrives[rows] = found.arrival, found.arrives
+        ways.is_broken[rows] = found.broken
+        ways.bottlenecks.update((int(rows[at]), one) for at, one in found.bottlenecks.items())
+
+    def _strays(self, ways: SurveyedPaths) -> dict[int, Array]:
+        """Return joints (n,) [rad] of rows that newly arrive elsewhere than their end implies."""
+        arrive = np.flatnonzero(ways.arrives & ~ways.is_broken & ways.stances.sure)
+        off = np.abs(ways.arrival[arrive] - ways.stances.joints[arrive]).max(axis=-1, initial=0.0)
+        rows = arrive[off > _SAME_JOINTS].tolist()
+        return {row: ways.arrival[row] for row in rows if row not in ways.strays}
 
     def _requires_stored(self, row: int) -> bool:
         """Whether a move requires a stored configuration in which the arm could arrive."""
@@ -206,35 +217,50 @@ class PathSurvey:
         for row, fault in surveyed.circle_faults.items():
             name = target_text(self.program, self.posed.moves[row])
             yield self._finding(row, CircleUncertain(name, fault))
-        following = self._following()
-        for row, way in surveyed.surveyed.items():
-            if way.broken:
-                fault_found = self._fault(row, surveyed, following)
+        zones = self._reduced_zones(surveyed)
+        stands = (surveyed.travel < _STANDSTILL) & (surveyed.turned < _NO_TURN)
+        of_interest = self._may_have_findings(surveyed) | (stands & surveyed.is_surveyed) | zones
+        for row in np.flatnonzero(of_interest).tolist():
+            if surveyed.is_broken[row]:
+                fault_found = self._fault(row, surveyed)
                 if fault_found is not None:
                     yield self._finding(row, fault_found)
                 continue
             yield from self._wrist_circle_findings(row, surveyed)
             arrival = surveyed.strays.get(row)
-            if arrival is None and not self.ends.stored_works[row]:
-                arrival = way.arrival
+            if arrival is None and surveyed.arrives[row] and not self.ends.stored_works[row]:
+                arrival = surveyed.arrival[row]
             if arrival is not None and self._requires_stored(row):
                 yield from self._changed(row, arrival)
-            if way.hold_up is not None and not self._speed_unknown(row):
-                held = self._held_up(row, way.hold_up)
+            bottleneck = surveyed.bottlenecks.get(row)
+            if bottleneck is not None and not self._speed_unknown(row):
+                held = self._held_up(row, bottleneck)
                 if held is not None:
                     yield self._finding(row, held)
-            if way.travel < _STANDSTILL and way.turned < _NO_TURN and not self._moves_axes(row):
+            if stands[row] and not self._moves_axes(row):
                 name = target_text(self.program, self.posed.moves[row])
                 yield self._finding(row, ZeroLengthMove(name))
-            reduced = self._reduced_zone(row, surveyed, following)
-            if reduced is not None:
-                yield self._finding(row, reduced)
+            if zones[row]:
+                yield self._finding(row, self._reduced_zone(row, surveyed))
+
+    def _may_have_findings(self, surveyed: SurveyedPaths) -> Mask:
+        """Shape (k,): the surveyed paths that are looked at one by one."""
+        asked = self.posed.moves.each(lambda known: is_monitored(known, self.robot))
+        found: Mask = asked & self.ends.on_stored_branch & ~self.ends.stored_works
+        found &= surveyed.arrives
+        found |= self.posed.moves.each(
+            lambda known: known.move.interpolation is Interpolation.CIRCLE
+        )
+        found |= surveyed.is_broken
+        found[[*surveyed.strays, *surveyed.bottlenecks]] = True
+        found &= surveyed.is_surveyed
+        return found
 
     def _wrist_circle_findings(self, row: int, surveyed: SurveyedPaths) -> Iterator[Diagnostic]:
         """Yield the findings about an arc that two wrist axes orient."""
-        if self.posed.moves[row].move.interpolation is not Interpolation.CIRCLE:
+        if self.posed.moves.like(row).move.interpolation is not Interpolation.CIRCLE:
             return
-        segment = surveyed.segments[row]
+        segment = surveyed.make(row)
         if segment.wrist_pair is None:
             return
         led = wrist_circle_error(self.robot.kinematics, segment)
@@ -259,17 +285,21 @@ class PathSurvey:
     def _speed_unknown(self, row: int) -> bool:
         return "speed_override_percent" in self.posed.moves[row].uncertain
 
-    def _following(self) -> Mapping[int, list[int]]:
-        """Return the moves that start at the end of each move."""
-        following: dict[int, list[int]] = {}
-        for row, known in enumerate(self.posed.moves):
-            if known.previous is not None:
-                following.setdefault(known.previous, []).append(row)
+    @cached_property
+    def _by_start(self) -> Index:
+        """Shape (k,): rows in the order of the moves at whose ends they start."""
+        return np.argsort(self.posed.moves.previous, kind="stable")
+
+    def _following(self, row: int) -> list[int]:
+        """Return the moves that start at the end of a move."""
+        previous, order = self.posed.moves.previous, self._by_start
+        first, stop = (
+            int(previous.searchsorted(row, side, sorter=order)) for side in ("left", "right")
+        )
+        following: list[int] = order[first:stop].tolist()
         return following
 
-    def _fault(
-        self, row: int, surveyed: SurveyedPaths, following: Mapping[int, list[int]]
-    ) -> Violation | None:
+    def _fault(self, row: int, surveyed: SurveyedPaths) -> Violation | None:
         """Return the fault of a path as in planning; None if corner paths avoid it."""
         segment = surveyed.driven(row)
         fault = build_path(self.robot, [replace(segment, zone=None)], self.model)
@@ -277,22 +307,16 @@ class PathSurvey:
             return None
         # The wrist must be able to follow the whole arc, as in a run.
         led = segment.wrist_pair is not None
-        if not led and not self._fails_with_corners(row, segment, surveyed, following):
+        if not led and not self._fails_with_corners(row, segment, surveyed):
             return None
         return fault_violation(fault, target_text(self.program, self.posed.moves[row]))
 
-    def _fails_with_corners(
-        self,
-        row: int,
-        segment: Segment,
-        surveyed: SurveyedPaths,
-        following: Mapping[int, list[int]],
-    ) -> bool:
-        before = self.posed.moves[row].previous
+    def _fails_with_corners(self, row: int, segment: Segment, surveyed: SurveyedPaths) -> bool:
+        before = int(self.posed.moves.previous[row])
         around = [segment]
-        if before is not None and before in surveyed.segments and surveyed.segments[before].zone:
+        if surveyed.is_surveyed[before] and surveyed.make(before).zone:
             around.insert(0, surveyed.driven(before))
-        after = [one for one in following.get(row, ()) if one in surveyed.segments]
+        after = [one for one in self._following(row) if surveyed.is_surveyed[one]]
         if segment.zone is not None and len(after) == 1:
             around.append(surveyed.driven(after[0]))
         if len(around) == 1:
@@ -307,7 +331,7 @@ class PathSurvey:
     def _changed(self, row: int, arrival: Array) -> Iterator[Diagnostic]:
         """K606: a line that arrives in another configuration than the stored one."""
         known, kinematics = self.posed.moves[row], self.robot.kinematics
-        stored = stored_confdata(known)
+        stored = stored_confdata(self.posed.moves, row)
         how = Match(int(match(kinematics, arrival, np.array(stored))))
         if how.meets(exact=self.exact):
             return
@@ -336,22 +360,30 @@ class PathSurvey:
             name, hold_up.axis, programmed, hold_up.share * programmed, 100.0 * hold_up.fraction
         )
 
-    def _reduced_zone(
-        self, row: int, surveyed: SurveyedPaths, following: Mapping[int, list[int]]
-    ) -> ZoneTooLarge | None:
-        move = self.posed.moves[row].move
-        if move.zone.pzone_tcp <= _SMALL_ZONE_MM:
-            return None
-        zone = zone_of(move)
-        after = [
-            surveyed.surveyed[one].travel
-            for one in following.get(row, ())
-            if one in surveyed.surveyed
-        ]
-        if zone is None or not after:
-            return None
-        sides = [(surveyed.surveyed[row].travel, "before"), (min(after), "after")]
-        length, which = min(sides)
-        if length < _STANDSTILL or 0.5 * length >= _REDUCED * zone.position:
-            return None
-        return ZoneTooLarge(1e3 * zone.position, 1e3 * length, which, 500.0 * length)
+    def _travel_after(self, surveyed: SurveyedPaths) -> Array:
+        """Shape (k,): shortest surveyed path [m] that starts at an end; infinite without one."""
+        rows = np.flatnonzero(surveyed.is_surveyed)
+        after = np.full(len(surveyed.travel), np.inf)
+        np.minimum.at(after, self.posed.moves.previous[rows], surveyed.travel[rows])
+        return after
+
+    def _reduced_zones(self, surveyed: SurveyedPaths) -> Mask:
+        """Shape (k,): the surveyed paths that are too short for their zones."""
+        size = self.posed.moves.each(_zone_size, np.float64)
+        after = self._travel_after(surveyed)
+        length = np.minimum(surveyed.travel, after)
+        reduced: Mask = (length >= _STANDSTILL) & (0.5 * length < _REDUCED * size)
+        return reduced & surveyed.is_surveyed & ~surveyed.is_broken & np.isfinite(after)
+
+    def _reduced_zone(self, row: int, surveyed: SurveyedPaths) -> ZoneTooLarge:
+        size = _zone_size(self.posed.moves.like(row))
+        after = [one for one in self._following(row) if surveyed.is_surveyed[one]]
+        sides = (surveyed.travel[row], "before"), (surveyed.travel[after].min(), "after")
+        length, which = min((float(travel), side) for travel, side in sides)
+        return ZoneTooLarge(1e3 * size, 1e3 * length, which, 500.0 * length)
+
+
+def _zone_size(known: KnownMove) -> float:
+    """Size [m] of the zone at the end of a move; 0 if it is small, or there is none."""
+    zone = None if known.move.zone.pzone_tcp <= _SMALL_ZONE_MM else zone_of(known.move)
+    return 0.0 if zone is None else zone.position

@@ -20,7 +20,7 @@ from rapidsim.motion.robot.external_axes import ExternalAxis
 from rapidsim.motion.robot.robot import Robot
 from rapidsim.reach.arm_configurations import confdata_columns, is_monitored, solved_ends
 from rapidsim.reach.dataflow.circle_modes import may_be_wrist_driven
-from rapidsim.reach.dataflow.known_moves import KnownMove
+from rapidsim.reach.dataflow.known_moves import KnownMoves
 from rapidsim.reach.dataflow.program_walk import walk_program
 from rapidsim.reach.target_poses import posed
 from rapidsim.values import value_class
@@ -65,15 +65,10 @@ def reach_from(
     """
     known = walk_program(program).moves
     placed = posed(known, robot, Transform.identity(), external)
-    rows = [
-        row
-        for row in range(len(known))
-        if row not in placed.left_out
-        and not placed.carried[row]
-        and not may_be_wrist_driven(known[row], robot)
-    ]
-    to_poses = np.array([row for row in rows if not placed.to_axes[row]], dtype=np.int64)
-    to_axes = np.array([row for row in rows if placed.to_axes[row]], dtype=np.int64)
+    checked = placed.is_placed & ~placed.carried
+    checked &= ~known.each(lambda one: may_be_wrist_driven(one, robot))
+    to_poses = np.flatnonzero(checked & ~placed.to_axes)
+    to_axes = np.flatnonzero(checked & placed.to_axes)
     count = len(world_from_base)
     past_limits = programmed_excess(robot, placed.axes[to_axes]).any(axis=-1)
     unreachable = np.zeros((count, len(known)), dtype=bool)
@@ -82,13 +77,12 @@ def reach_from(
     to_axes_margin = _margins(robot, placed.axes[to_axes]).min(initial=np.inf)
     margin = np.full(count, to_axes_margin if not past_limits.any() else np.inf)
     if len(to_poses):
-        moves = [known[row] for row in to_poses.tolist()]
-        confdata = confdata_columns(moves)
-        monitored = np.array([is_monitored(one, robot) for one in moves])
+        confdata = confdata_columns(known, to_poses)
+        monitored = known.each(lambda one: is_monitored(one, robot))[to_poses]
         # The robot's base was at the world's origin, so base and world are one.
         world_from_flange = placed.base_from_flange[to_poses]
         base_from_world = world_from_base.inverse()
-        at_once = max(1, _BATCH // len(moves))
+        at_once = max(1, _BATCH // len(to_poses))
         for first in range(0, count, at_once):
             check_deadline()
             at = slice(first, min(first + at_once, count))
@@ -102,7 +96,7 @@ def reach_from(
             least = _margins(robot, solved.stored).reshape(places, -1).min(axis=-1)
             known_stance = held.all(axis=-1) & ~past_limits.any()
             margin[at] = np.where(known_stance, np.minimum(margin[at], least), np.inf)
-    instructions = _instructions(known, rows)
+    instructions = _instructions(known, np.flatnonzero(checked))
     return PlacedReach(
         len(instructions),
         _counted(unreachable, instructions),
@@ -124,11 +118,11 @@ def _margins(robot: Robot, joints: Array) -> Array:
     return margins
 
 
-def _instructions(known_moves: Sequence[KnownMove], rows: Sequence[int]) -> list[Index]:
+def _instructions(known_moves: KnownMoves, rows: Index) -> list[Index]:
     """Return the rows of each move instruction: several paths of a program may reach it."""
-    found: dict[object, list[int]] = {}
-    for row in rows:
-        found.setdefault(known_moves[row].call, []).append(row)
+    found: dict[int, list[int]] = {}
+    for row, number in zip(rows.tolist(), known_moves.instruction[rows].tolist(), strict=True):
+        found.setdefault(number, []).append(row)
     return [np.array(of_one, dtype=np.int64) for of_one in found.values()]
 
 

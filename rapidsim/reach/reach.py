@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from bisect import bisect_right
-from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace
 
@@ -12,6 +10,7 @@ import numpy as np
 from rapidsim.analysis.program import Program
 from rapidsim.diagnostics import Diagnostic, Severity, Span
 from rapidsim.frames.transform import Array
+from rapidsim.motion.kinematics.arm import Mask
 from rapidsim.motion.numba_jit import jit_reconsidered
 from rapidsim.motion.robot.robot import Robot
 from rapidsim.reach.arm_configurations import Beginning, EndSolutions, ends_of
@@ -19,7 +18,7 @@ from rapidsim.reach.belt_reach import belt_findings
 from rapidsim.reach.checked_moves import Coverage, ReachReport, UncheckedMove
 from rapidsim.reach.cycle_time_findings import budget_findings, stop_findings
 from rapidsim.reach.dataflow.abstract_interpreter import ENTRY
-from rapidsim.reach.dataflow.known_moves import MoveStatement, WalkedProgram, in_tree
+from rapidsim.reach.dataflow.known_moves import KnownMoves, WalkedProgram
 from rapidsim.reach.dataflow.program_walk import walk_program
 from rapidsim.reach.path_findings import PathSurvey, SurveyedPaths
 from rapidsim.reach.suggestions import ReachSuggestions
@@ -81,7 +80,7 @@ def check_reach(
     if not walked.written and budget is None:
         of_main = _error_of_main(program, robot, options, walked) if run else ErrorRun()
         return ReachReport(of_main.diagnostics, Coverage(main_left_out=of_main.left_out))
-    known = list(walked.moves)
+    known = walked.moves
     told: RunMoves | None = None
     joints: dict[int, Array] = {}
     base_from_world = options.world_from_base.inverse()
@@ -92,7 +91,7 @@ def check_reach(
         told = run_for_moves(program, robot, options, walked, len(known), longest_s)
         joints = dict(enumerate(told.end_joints, start=len(known)))
         if told.moves:
-            known += told.moves
+            known = known.followed_by(told.moves, told.instructions)
             placed = posed(known, robot, base_from_world, options.external_axes)
     exact = options.exact_configuration
     ends = ends_of(placed, robot, exact=exact)
@@ -194,20 +193,12 @@ def _unrun_collisions(
 ) -> Iterator[Diagnostic]:
     """Yield collisions of moves that the run did not make, if their start and end are known."""
     assert run_moves.scene is not None
-    sure, broken = surveyed.stances.sure, surveyed.broken
-    rows = [
-        row
-        for row, known in enumerate(walked.moves)
-        if known.call not in run_moves.met
-        and known.previous is not None
-        and row not in placed.left_out
-        and not placed.carried[row]
-        and sure[row]
-        and sure[known.previous]
-        and row not in broken
-        and row not in surveyed.circle_faults
-    ]
-    if not rows or len(run_moves.scene.arms) > 1:
+    sure, moves = surveyed.stances.sure, placed.moves
+    open_ = ~surveyed.is_broken & (moves.previous >= 0) & placed.is_placed & ~placed.carried
+    open_ &= sure & sure[moves.previous] & ~_met(run_moves.met, moves)
+    open_[[*range(len(walked.moves), len(moves)), *surveyed.circle_faults]] = False
+    rows = np.flatnonzero(open_)
+    if not len(rows) or len(run_moves.scene.arms) > 1:
         return
     # The collision check is slow to import, and few stations have bodies.
     from rapidsim.reach.unrun_collisions import MOST_MOVES, UnrunMoves  # noqa: PLC0415
@@ -219,12 +210,16 @@ def _unrun_collisions(
     yield from unrun.findings(rows[:MOST_MOVES])
 
 
+def _met(met: frozenset[int], moves: KnownMoves) -> Mask:
+    """Shape (k,): whether a run of main made or met the instruction of each move."""
+    return np.isin(moves.instruction, list(met))
+
+
 def _not_sure(
     program: Program, walked: WalkedProgram, findings: Iterable[Diagnostic]
 ) -> Iterator[Diagnostic]:
     """Yield the findings; those that depend on inputs, which nothing sets in a run, as assumed."""
-    moved = tainted_calls(program)
-    unsure = [module.span(call) for call, module in walked.written if in_tree(call) in moved]
+    unsure = list(walked.written.spans(tainted_calls(program)))
     for one in findings:
         span = one.span
         inside = span is not None and any(span.begins_in(call) for call in unsure)
@@ -238,16 +233,11 @@ class _FindingKeys:
 
     walked: WalkedProgram
 
-    def __post_init__(self) -> None:
-        self._starts: dict[str, list[tuple[int, int]]] = {}
-        for call, module in self.walked.written:
-            self._starts.setdefault(module.source.file, []).append((call.start, call.end))
-
     def distinct(
         self,
         diagnostics: Iterable[Diagnostic],
         of_run: Iterable[Diagnostic],
-        met: frozenset[MoveStatement],
+        met: frozenset[int],
     ) -> list[Diagnostic]:
         """Return the findings without repetitions about the same move.
 
@@ -265,11 +255,12 @@ class _FindingKeys:
             if one.severity is Severity.ERROR
         }
         stopped = {move for _, move in ran}
-        times = Counter(known.call for known in self.walked.moves)
+        times = np.bincount(self.walked.moves.instruction, minlength=1)
         made = {
             (module.source.file, call.start)
-            for call, module in self.walked.written
-            if call in met and times[call] == 1
+            for number in met
+            if number < len(times) and times[number] == 1
+            for call, module in [self.walked.written[number]]
         } - stopped
         said: set[tuple[str, object]] = set()
         first: list[Diagnostic] = []
@@ -294,10 +285,8 @@ class _FindingKeys:
     def _move_of(self, span: Span | None) -> object:
         if span is None:
             return None
-        starts = self._starts.get(span.file, [])
-        at = bisect_right(starts, (span.start, len(span.source.text))) - 1
-        inside = at >= 0 and span.start < starts[at][1]
-        return (span.file, starts[at][0] if inside else span.start)
+        start = self.walked.written.start_around(span.file, span.start)
+        return (span.file, span.start if start is None else start)
 
 
 def _coverage(
@@ -307,29 +296,27 @@ def _coverage(
     run_moves: RunMoves | None,
     left_out: Mapping[int, str],
 ) -> Coverage:
-    by_value = {
-        known.call
-        for row, known in enumerate(walked.moves)
-        if row not in left_out and ends.looked_at[row]
-    }
-    reasons = {walked.moves[row].call: why for row, why in left_out.items()}
-    of_text = placed.carried[: len(walked.moves)]
-    carried = {walked.moves[row].call for row in np.flatnonzero(of_text).tolist()}
-    met = frozenset() if run_moves is None else run_moves.met
-    values = runs = 0
+    moves, written = walked.moves, walked.written
+    of_text = slice(len(moves))
+    instruction, looked_at = moves.instruction, ends.looked_at[of_text].copy()
+    skipped = list(left_out)
+    looked_at[skipped] = False
+    by_value, is_open, is_met = (np.zeros(len(written), dtype=bool) for _ in range(3))
+    by_value[instruction[looked_at]] = True
+    is_open[instruction[skipped]] = is_open[instruction[placed.carried[of_text]]] = True
+    is_open[list(walked.unknown)] = True
+    is_met[list(frozenset() if run_moves is None else run_moves.met)] = True
+    by_value &= ~(is_open & is_met)
+    reasons = dict(zip(instruction[skipped].tolist(), left_out.values(), strict=True))
     unchecked: list[UncheckedMove] = []
-    for call, module in walked.written:
-        open_ = call in walked.unknown or call in reasons or call in carried
-        if call in by_value and not (open_ and call in met):
-            values += 1
-        elif call in met:
-            runs += 1
-        else:
-            why = walked.unknown.get(call) or reasons.get(call) or _NOT_SEARCHED
-            if run_moves is not None and call not in met:
-                why = f"{why}; a run of main {run_moves.outcome}"
-            unchecked.append(UncheckedMove(module.span(call), why))
-    return Coverage(values, runs, tuple(unchecked))
+    for number in np.flatnonzero(~(by_value | is_met)).tolist():
+        why = walked.unknown.get(number) or reasons.get(number) or _NOT_SEARCHED
+        if run_moves is not None:
+            why = f"{why}; a run of main {run_moves.outcome}"
+        call, module = written[number]
+        unchecked.append(UncheckedMove(module.span(call), why))
+    by_run = int((is_met & ~by_value).sum())
+    return Coverage(int(by_value.sum()), by_run, tuple(unchecked))
 
 
 def _paths(
@@ -337,27 +324,21 @@ def _paths(
     ends: EndSolutions,
     surveyed: SurveyedPaths,
     beginning: Beginning | None,
-    met: frozenset[MoveStatement],
+    met: frozenset[int],
 ) -> tuple[int, tuple[UncheckedMove, ...]]:
     """Number of instructions with a path of the TCP, and those whose path is unchecked."""
-    paths: set[MoveStatement] = set()
-    unchecked: dict[MoveStatement, UncheckedMove] = {}
-    for row, known in enumerate(placed.moves):
-        call = known.call
-        if not known.move.interpolation.leads_tcp or not (ends.looked_at[row] or call in met):
-            continue
-        paths.add(call)
-        begins = known.begins and beginning is not None and beginning.is_free
-        is_checked = (
-            call in met
-            or row in surveyed.surveyed
-            or row in surveyed.circle_faults
-            or (begins and bool(surveyed.stances.sure[row]))
-            or not ends.reachable[row]
-        )
-        if not is_checked:
-            unchecked[call] = UncheckedMove(known.span, _START_UNKNOWN)
-    return len(paths), tuple(unchecked.values())
+    moves = placed.moves
+    is_met = _met(met, moves)
+    led = moves.each(lambda known: known.move.interpolation.leads_tcp)
+    paths = led & (ends.looked_at | is_met)
+    checked = is_met | surveyed.is_surveyed | ~ends.reachable
+    checked[list(surveyed.circle_faults)] = True
+    if beginning is not None and beginning.is_free:
+        checked |= moves.begins & surveyed.stances.sure
+    unchecked: dict[int, UncheckedMove] = {}
+    for row in np.flatnonzero(paths & ~checked).tolist():
+        unchecked[int(moves.instruction[row])] = UncheckedMove(moves[row].span, _START_UNKNOWN)
+    return len(np.unique(moves.instruction[paths])), tuple(unchecked.values())
 
 
 _START_UNKNOWN = "it is not known where the arm begins with it, or how it turns on the way"

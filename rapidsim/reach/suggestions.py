@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass, field
 
 import numpy as np
@@ -15,6 +14,7 @@ from rapidsim.motion.robot.robot import Robot
 from rapidsim.reach.arm_configurations import EndSolutions
 from rapidsim.reach.target_poses import PosedMoves
 from rapidsim.reach.wording import data_of
+from rapidsim.repeated_rows import Index
 
 MOST_SEARCHES = 24
 """Largest number of searches for one program; a shift of a whole work object is searched once."""
@@ -48,36 +48,34 @@ class ReachSuggestions:
         if wobj is not None and wobj.node is not None:
             key = known.move.wobj
             if key not in self._shifts:
-                same = [
-                    other
-                    for other in np.flatnonzero(self.ends.looked_at & ~self.posed.to_axes).tolist()
-                    if self.posed.moves[other].move.wobj == key
-                ]
-                self._shifts[key] = self._searched_shift(same), len(same)
+                same = self.posed.moves.each(lambda known: known.move.wobj == key)
+                same &= self.ends.looked_at & ~self.posed.to_axes
+                self._shifts[key] = self._searched_shift(np.flatnonzero(same)), int(same.sum())
             shift, count = self._shifts[key]
             if shift is not None:
                 every = "all its targets are" if count > 1 else "it is"
                 return f"{every} in reach with `{wobj.name}` moved {self._words(row, shift)}"
-        shift = self._searched_shift([row])
+        shift = self._searched_shift(np.array([row]))
         if shift is None:
             return None
         return f"it is in reach if moved {self._words(row, shift)}"
 
-    def _searched_shift(self, rows: Sequence[int]) -> Array | None:
+    def _searched_shift(self, rows: Index) -> Array | None:
         self._searched += 1
         if self._searched > MOST_SEARCHES:
             return None
-        return nearest_shift(self.robot, self.posed.base_from_flange[np.array(rows)])
+        return nearest_shift(self.robot, self.posed.base_from_flange[rows])
 
     def _turn(self, row: int) -> str | None:
         posed = self.posed
         if self._searched > MOST_SEARCHES:
             return None
-        turn = least_turn(self.robot, posed.curve_from_tcp[row], posed.tcp_from_flange[row])
+        tcp_from_flange = posed.placed(row).tcp_from_flange
+        turn = least_turn(self.robot, posed.curve_from_tcp[row], tcp_from_flange)
         if turn is not None:
             return f"with the tool turned {turn.degrees:+.0f} deg about its {turn.axis}"
         flange = posed.curve_from_tcp[row : row + 1]
-        if np.any(posed.tcp_from_flange.translation[row]) and reachable(self.robot, flange)[0]:
+        if np.any(tcp_from_flange.translation) and reachable(self.robot, flange)[0]:
             return "with tool0"
         return None
 

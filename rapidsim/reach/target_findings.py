@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections import Counter
 from collections.abc import Iterator, Sequence
 from collections.abc import Set as AbstractSet
 
@@ -49,6 +48,7 @@ from rapidsim.motion.configurations.reachability import (
     unreachable_reason,
 )
 from rapidsim.motion.configurations.targets import is_no_orientation
+from rapidsim.motion.kinematics.arm import Mask
 from rapidsim.motion.robot.external_axes import ExternalAxis, amount_text
 from rapidsim.motion.robot.robot import Robot
 from rapidsim.reach.arm_configurations import (
@@ -70,6 +70,7 @@ from rapidsim.reach.wording import (
     target_text,
     tool_span,
 )
+from rapidsim.repeated_rows import Index
 
 LOW_MARGIN = np.radians(5.0)
 
@@ -117,9 +118,10 @@ def configuration_findings(
 ) -> Iterator[Diagnostic]:
     """K603: stored configurations that are monitored but do not work, with those that do."""
     stale = ends.looked_at & ends.reachable & ~ends.on_stored_branch & ~posed.to_axes
-    rows = [row for row in np.flatnonzero(stale).tolist() if is_monitored(posed.moves[row], robot)]
+    stale &= posed.moves.each(lambda known: is_monitored(known, robot))
+    rows = np.flatnonzero(stale).tolist()
     flanges = posed.base_from_flange[np.array(rows, dtype=np.int64)]
-    stored = [stored_confdata(posed.moves[row]) for row in rows]
+    stored = [stored_confdata(posed.moves, row) for row in rows]
     names = [target_text(program, posed.moves[row]) for row in rows]
     for row, found in zip(rows, not_as_stored(robot, flanges, stored, names), strict=True):
         if found.working:
@@ -137,11 +139,12 @@ def _turned_findings(
 ) -> Iterator[Diagnostic]:
     """K603: joint moves that end in another turn of the stored branch."""
     turned = ends.looked_at & ends.on_stored_branch & ~ends.stored_works & stances.sure
+    turned &= posed.moves.each(
+        lambda known: not known.move.interpolation.leads_tcp and is_monitored(known, robot)
+    )
     for row in np.flatnonzero(turned).tolist():
         known = posed.moves[row]
-        if known.move.interpolation.leads_tcp or not is_monitored(known, robot):
-            continue
-        stored, flange = stored_confdata(known), posed.base_from_flange[row : row + 1]
+        stored, flange = stored_confdata(posed.moves, row), posed.base_from_flange[row : row + 1]
         taken = configuration(robot.kinematics, stances.joints[row])
         (working,) = by_stored(robot, flange, [stored])
         found = replacement_finding(target_text(program, known), stored, taken, working)
@@ -153,12 +156,11 @@ def _quarter_off_findings(
 ) -> Iterator[Diagnostic]:
     """K622: targets whose stored configuration is a quarter turn off, if a fix is known."""
     off = ends.looked_at & ends.stored_works & ~posed.to_axes & (ends.match == Match.COMPLIANT)
+    off &= posed.moves.each(lambda known: is_monitored(known, robot))
     for row in np.flatnonzero(off).tolist():
         known = posed.moves[row]
-        if not is_monitored(known, robot):
-            continue
         reached = conf_text(confdata_of(robot.kinematics, ends.stored[row]).tolist())
-        stored = conf_text(stored_confdata(known))
+        stored = conf_text(stored_confdata(posed.moves, row))
         found = ConfigurationQuarterOff(target_text(program, known), stored, reached)
         diagnostic = _on_target(program, known, found, reached)
         # Without a fix the program does not store it: the point was taught elsewhere.
@@ -182,13 +184,9 @@ def switch_findings(
     """K619: joint moves without monitoring that have to switch the main axes."""
     if not has_branches(robot.kinematics):
         return
-    for row in np.flatnonzero(stances.sure & ~posed.to_axes).tolist():
-        known = posed.moves[row]
-        before = known.previous
-        if before is None or not stances.sure[before] or not is_free(known):
-            continue
-        if known.move.interpolation.leads_tcp:
-            continue
+    free = posed.moves.each(lambda known: is_free(known) and not known.move.interpolation.leads_tcp)
+    for row in _follow_sure(posed, stances, free & ~posed.to_axes).tolist():
+        known, before = posed.moves[row], posed.moves.previous[row]
         start, end = (configuration(robot.kinematics, stances.joints[k]) for k in (before, row))
         if is_switch(start, end):
             name, flange = target_text(program, known), posed.base_from_flange[row]
@@ -204,20 +202,27 @@ def far_turn_findings(
     broken: AbstractSet[int],
 ) -> Iterator[Diagnostic]:
     """K620: lines or arcs under ConfL on which a wrist axis turns far, except broken ones."""
-    before = (-1 if one.previous is None else one.previous for one in posed.moves)
-    previous = np.fromiter(before, dtype=np.int64, count=len(posed.moves))
-    rows = np.flatnonzero(stances.sure & (previous >= 0))
-    rows = rows[stances.sure[previous[rows]]]
+    previous = posed.moves.previous
+    led = posed.moves.each(
+        lambda known: known.move.interpolation.leads_tcp and is_monitored(known, robot)
+    )
+    rows = _follow_sure(posed, stances, led)
     turns = np.abs(stances.joints[rows] - stances.joints[previous[rows]]).max(axis=-1)
     for row in rows[turns > WRIST_TURNS_FAR].tolist():
-        known = posed.moves[row]
-        is_led = known.move.interpolation.leads_tcp and is_monitored(known, robot)
-        if not is_led or row in broken:
+        if row in broken:
             continue
+        known = posed.moves[row]
         joints = (stances.joints[k] for k in (previous[row], row))
         found = wrist_turning_far(target_text(program, known), *joints)
         if found is not None:
             yield Diagnostic(found, target_span(program, known), routine=known.routine)
+
+
+def _follow_sure(posed: PosedMoves, stances: EndConfigurations, which: Mask) -> Index:
+    """Return those of some rows whose joints are known at both ends."""
+    previous = posed.moves.previous
+    rows = np.flatnonzero(which & stances.sure & (previous >= 0))
+    return rows[stances.sure[previous[rows]]]
 
 
 def orientation_findings(
@@ -284,7 +289,7 @@ def overload_findings(program: Program, posed: PosedMoves, robot: Robot) -> Iter
     rated_kg, told = robot.payload_kg, set[tuple[float, float]]()
     if rated_kg is None:
         return
-    for known in posed.moves:
+    for known in posed.moves.of_tree:
         held_kg = 0.0 if "grip_load" in known.uncertain else known.settings.grip_load_kg
         mass_kg = known.move.tool.tload.mass + held_kg
         if mass_kg > rated_kg and (mass_kg, held_kg) not in told:
@@ -300,13 +305,11 @@ def wind_up_findings(
 ) -> Iterator[Diagnostic]:
     """K608: repeated moves to the same target that arrive with an axis whole turns further."""
     first_of: dict[object, int] = {}
-    rows = np.flatnonzero(stances.sure & ~posed.to_axes).tolist()
-    times = Counter(posed.moves[row].call for row in rows)
-    for row in rows:
+    rows = np.flatnonzero(stances.sure & ~posed.to_axes)
+    instruction = posed.moves.instruction[rows]
+    for row in rows[np.bincount(instruction)[instruction] > 1].tolist():
         known = posed.moves[row]
-        if times[known.call] == 1:
-            continue
-        first = first_of.setdefault((known.call, known.move), row)
+        first = first_of.setdefault((posed.moves.instruction[row], known.move), row)
         step = stances.joints[row] - stances.joints[first]
         turns = np.round(step / robot.kinematics.turns)
         axis = int(np.abs(turns).argmax())

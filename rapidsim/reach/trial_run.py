@@ -30,10 +30,10 @@ from rapidsim.findings.sockets import NobodyAnswers, NobodyConnects
 from rapidsim.frames.transform import Array
 from rapidsim.interpreter.limits import NotExecutableError
 from rapidsim.language.errors import Stopped
-from rapidsim.language.moves import MotionSettings
+from rapidsim.language.moves import MotionSettings, Place
 from rapidsim.motion.robot.robot import Robot
 from rapidsim.reach.checked_moves import MOST_MOVES, MOST_MOVES_FOR_ERRORS
-from rapidsim.reach.dataflow.known_moves import KnownMove, MoveStatement, WalkedProgram
+from rapidsim.reach.dataflow.known_moves import KnownMove, WalkedProgram
 from rapidsim.reach.taint import is_set_externally, reads_external_state, reads_inputs
 from rapidsim.reach.valueless_persistents import doubt_valueless, is_valueless
 from rapidsim.simulation.options import RunOptions
@@ -71,9 +71,11 @@ class RunMoves:
 
     moves: tuple[KnownMove, ...]
     """The moves it made, in order; `previous` counts from `first_row`."""
+    instructions: tuple[int, ...]
+    """Numbers of their instructions."""
     executed: tuple[ExecutedMove, ...]
-    met: frozenset[MoveStatement]
-    """The moves that it made, and those that it could not make."""
+    met: frozenset[int]
+    """Numbers of the instructions that it made, and of those that it could not make."""
     diagnostics: tuple[Diagnostic, ...]
     """Its findings about moves."""
     time_s: float | None
@@ -114,7 +116,6 @@ def run_for_moves(
         return _not_run(f"is not possible: there is no `{options.entry}`")
     if len(walked.written) > MOST_MOVES:
         return _not_run("is skipped in a check of so many moves; `rapidsim run` makes it")
-    calls = {(module.source.file, call.start): (call, module) for call, module in walked.written}
     with TemporaryDirectory(prefix="rapidsim-") as home:
         limited = _limited(options, longest_s, LONGEST_WORK_S)
         asked = replace(
@@ -128,11 +129,7 @@ def run_for_moves(
             run = simulate(program, robot, options=asked)
         except (InputError, NotExecutableError) as error:
             return _not_run(f"is not possible: {error}")
-    made = [
-        (one, calls[key])
-        for one in run.moves
-        if (key := (one.place.span.file, one.place.span.start)) in calls
-    ]
+    made = [(one, at) for one in run.moves if (at := _number(one.place, walked)) is not None]
     moves = tuple(
         KnownMove(
             call,
@@ -143,17 +140,14 @@ def run_for_moves(
             _TOLD_BY_RUN | walked.settings_set,
             first_row + position - 1 if position else None,
         )
-        for position, (one, (call, module)) in enumerate(made)
+        for position, (one, number) in enumerate(made)
+        for call, module in [walked.written[number]]
     )
-    failed = {
-        calls[key][0]
-        for one in run.only.failed_moves
-        if (key := (one.place.span.file, one.place.span.start)) in calls
-    }
     return RunMoves(
         moves,
+        tuple(number for _, number in made),
         tuple(one for one, _ in made),
-        frozenset(failed | {call for _, (call, _) in made}),
+        _met(run, walked),
         tuple(
             _as_sure(one, run, (program,), options)
             for one in run.diagnostics
@@ -182,8 +176,8 @@ class ErrorRun:
     diagnostics: tuple[Diagnostic, ...] = ()
     left_out: str = ""
     """Reason why there are no findings, if a check lacks a service that main needs."""
-    met: frozenset[MoveStatement] = frozenset()
-    """The moves that it made, and that at which it ended."""
+    met: frozenset[int] = frozenset()
+    """Numbers of the instructions that it made, and of that at which it ended."""
 
 
 def run_for_error(
@@ -213,13 +207,17 @@ def run_for_error(
     return ErrorRun(found, "", met)
 
 
-def _met(run: Simulation, walked: WalkedProgram) -> frozenset[MoveStatement]:
-    """Return the moves that a run made, and those that it could not make."""
-    calls = {(module.source.file, call.start): call for call, module in walked.written}
+def _met(run: Simulation, walked: WalkedProgram) -> frozenset[int]:
+    """Return the numbers of the moves that a run made, and of those that it could not make."""
     places = [one.place for one in run.moves]
     places += [one.place for robot in run.robots for one in robot.failed_moves]
-    keys = ((place.span.file, place.span.start) for place in places)
-    return frozenset(calls[key] for key in keys if key in calls)
+    numbers = (_number(place, walked) for place in places)
+    return frozenset(number for number in numbers if number is not None)
+
+
+def _number(place: Place, walked: WalkedProgram) -> int | None:
+    """Return the number of the instruction at a place; None if it is not one of the program."""
+    return walked.written.by_place.get((place.span.file, place.span.start))
 
 
 def skip_reason(walked: WalkedProgram) -> str:
@@ -396,4 +394,4 @@ def _stop_at_question(prompt: str) -> str | None:
 
 
 def _not_run(outcome: str) -> RunMoves:
-    return RunMoves((), (), frozenset(), (), None, "a time that is not known", outcome)
+    return RunMoves((), (), (), frozenset(), (), None, "a time that is not known", outcome)

@@ -6,7 +6,7 @@ corner path would cut off are not checked, nor are bodies that are carried at ti
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from dataclasses import dataclass, field, replace
 
 import numpy as np
@@ -33,6 +33,7 @@ from rapidsim.reach.arm_configurations import EndConfigurations
 from rapidsim.reach.move_segments import segments_of
 from rapidsim.reach.target_poses import PosedMoves
 from rapidsim.reach.wording import target_span, target_text
+from rapidsim.repeated_rows import Index
 
 MOST_MOVES = 200
 """Largest number of moves that are checked."""
@@ -65,11 +66,11 @@ class UnrunMoves:
         self.scene = replace(self.scene, pairs=pairs)
         self._bodies = self.scene.shapes()
 
-    def findings(self, rows: Sequence[int]) -> Iterator[Diagnostic]:
+    def findings(self, rows: Index) -> Iterator[Diagnostic]:
         """Yield the collisions of the moves of rows, whose starts must be known."""
         joints = self.stances.joints
         segments = segments_of(self.posed, joints, self.robot, self.model, rows)
-        for row, segment in zip(rows, segments, strict=True):
+        for row, segment in zip(rows.tolist(), segments, strict=True):
             path = self._path(segment)
             if path is None:
                 continue
@@ -174,7 +175,7 @@ class UnrunMoves:
         up = self.base_from_world.rotation @ np.array([0.0, 0.0, height])
         pose = waypoint.base_from_tcp
         raised = Transform(pose.rotation, pose.translation + up)
-        ways = configurations(self.robot, raised @ self.posed.tcp_from_flange[row])
+        ways = configurations(self.robot, raised @ self.posed.placed(row).tcp_from_flange)
         if not ways:
             return None
         joints = min((way.joints for way in ways), key=lambda q: np.abs(q - waypoint.joints).max())

@@ -9,7 +9,8 @@ from rapidsim.controller.moves.target_labels import named_target
 from rapidsim.diagnostics import Edit, Fix, Related, Span
 from rapidsim.interpreter.codegen.calls import BoundArgument, match_arguments
 from rapidsim.interpreter.codegen.written_paths import bare
-from rapidsim.reach.dataflow.known_moves import KnownMove, in_tree
+from rapidsim.reach.dataflow.known_moves import KnownMove
+from rapidsim.reach.dataflow.move_instructions import in_tree
 from rapidsim.syntax import tree
 from rapidsim.syntax.bulk_rows import declaration_of
 

@@ -42,18 +42,17 @@ def judged(program: Program) -> dict[Key, list[Segment]]:
     placed = posed(walked.moves, robot, Transform.identity())
     ways = PathSurvey(program, placed, ends_of(placed, robot), robot, model, {}).survey()
     sure = ways.stances.sure
-    others = [
-        row
-        for row, known in enumerate(walked.moves)
-        if row not in ways.segments
-        and row not in placed.left_out
-        and known.previous is not None
-        and sure[[row, known.previous]].all()
-    ]
-    made = dict(
-        zip(others, segments_of(placed, ways.stances.joints, robot, model, others), strict=True)
+    previous = walked.moves.previous
+    others = np.flatnonzero(
+        ~ways.is_surveyed & placed.is_placed & (previous >= 0) & sure & sure[previous]
     )
-    made |= {row: ways.driven(row) for row, way in ways.surveyed.items() if not way.broken}
+    joints = ways.stances.joints
+    made: dict[int, Segment] = {}
+    if len(others):
+        segments = segments_of(placed, joints, robot, model, others)
+        made |= zip(others.tolist(), segments, strict=True)
+    followed = np.flatnonzero(ways.is_surveyed & ~ways.is_broken).tolist()
+    made |= {row: ways.driven(row) for row in followed}
     found: dict[Key, list[Segment]] = {}
     for row, segment in made.items():
         known = walked.moves[row]

@@ -255,7 +255,7 @@ def test_every_move_of_a_run_is_among_those_known(main: str, go: str) -> None:
         ways.setdefault(known.call.start, set()).update({(known.move, before), (known.move, "any")})
         if known.previous is None:
             ways[known.call.start].add((known.move, None))
-    open_ = {call.start for call in walked.unknown}
+    open_ = {walked.written[number][0].start for number in walked.unknown}
     last = None
     for executed in run.moves:
         at = executed.place.span.start

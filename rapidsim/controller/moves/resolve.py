@@ -28,7 +28,7 @@ from rapidsim.controller.moves.move_request import (
     target_name,
 )
 from rapidsim.controller.moves.queued_move import QueuedMove, ResolvedMove
-from rapidsim.controller.moves.segments import segments
+from rapidsim.controller.moves.segments import segment_of
 from rapidsim.controller.moves.target_checks import (
     check_orientation,
     external_end,
@@ -189,13 +189,8 @@ class Resolver:
         external = external_end(asked, to.extax, start.external, self.robot, self.journal)
         end, is_short = self._end(asked, start, external)
         self._report_unsimulated(asked)
-        (segment,) = segments(
-            (request,),
-            (start,),
-            (end,),
-            self.robot,
-            payload_acceleration=self.payload_acceleration,
-        )
+        share = self.payload_acceleration
+        segment = segment_of(request, start, end, self.robot, payload_acceleration=share)
         if belt is not None:
             segment = belt.put_on(segment)
         if isinstance(to, RobTarget):

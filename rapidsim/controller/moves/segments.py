@@ -22,6 +22,7 @@ from rapidsim.controller.moves.move_data import (
 from rapidsim.controller.moves.move_request import MoveRequest
 from rapidsim.frames.transform import Transform
 from rapidsim.motion.configurations import targets
+from rapidsim.motion.geometry.segment_rows import SegmentRows, WaypointRows
 from rapidsim.motion.geometry.segments import (
     WRIST_PAIRS,
     CircleMode,
@@ -33,39 +34,69 @@ from rapidsim.motion.geometry.segments import (
 )
 from rapidsim.motion.path.wrist_circle import start_on_circle
 from rapidsim.motion.robot.robot import Robot
+from rapidsim.repeated_rows import Index
 from rapidsim.values import value_class
 
 
-def segments(
-    requests: Sequence[MoveRequest],
-    starts: Sequence[Waypoint],
-    ends: Sequence[Waypoint],
+def segment_of(
+    request: MoveRequest,
+    start: Waypoint,
+    end: Waypoint,
     robot: Robot,
     *,
     payload_acceleration: float | None,
-) -> tuple[Segment, ...]:
-    """Segments of moves.
+) -> Segment:
+    """Segment of a move.
 
     Args:
-        requests: The moves; each begins at its own start, independent of the others.
-        starts: Position of the arm before each; their poses are ignored, because they may be of
-            another tool.
+        request: The move.
+        start: Position of the arm before it; its pose is ignored, because it may be of another
+            tool.
+        end: Its end.
+        robot: The arm.
+        payload_acceleration: See `MotionModel`.
+    """
+    kinematics, placed = robot.kinematics, request.placed
+    begin = placed.standing_at(kinematics, start.joints, start.external, at_start=True)
+    branch = int(kinematics.branch_of(start.joints))
+    parameters = _parameters_of(request, robot, payload_acceleration)
+    return _segment(request, parameters, start, begin, end, branch)
+
+
+def segment_rows(
+    requests: Sequence[MoveRequest],
+    kind: Index,
+    starts: WaypointRows,
+    ends: WaypointRows,
+    robot: Robot,
+    *,
+    payload_acceleration: float | None,
+) -> SegmentRows:
+    """Segments of moves (m,), each independent of the others.
+
+    Args:
+        requests: Moves, to which the others are equal but for their targets.
+        kind: Index (m,) of that move.
+        starts: Positions of the arm before each; see `segment_of`.
         ends: End of each.
         robot: The arm.
         payload_acceleration: See `MotionModel`.
     """
-    if not requests:
-        return ()
+    kinematics = robot.kinematics
     placements = [request.placed for request in requests]
-    begins = targets.standing_at(placements, robot.kinematics, starts)
-    if len(starts) == 1:
-        branches = [int(robot.kinematics.branch_of(starts[0].joints))]
-    else:
-        branches = robot.kinematics.branch_of(np.array([one.joints for one in starts])).tolist()
-    of_robot = (robot, payload_acceleration)
-    asked = _parameters_of_all(requests, *of_robot)
-    rows = zip(requests, asked, starts, begins, ends, branches, strict=True)
-    return tuple(_segment(*one) for one in rows)
+    begins = targets.standing_at(placements, kind, kinematics, starts.joints, starts.external)
+    branch: Index = kinematics.branch_of(starts.joints)
+    asked = _parameters_of_all(requests, robot, payload_acceleration)
+    first = np.unique(kind, return_index=True)[1].tolist()
+    kinds = []
+    for row, request, parameters in zip(first, requests, asked, strict=True):
+        at_row = (starts[row], begins[row], ends[row], int(branch[row]))
+        made = _segment(request, parameters, *at_row)
+        begins.rotation[row] = made.start.base_from_tcp.rotation
+        begins.translation[row] = made.start.base_from_tcp.translation
+        kinds.append(made)
+    start_rows = WaypointRows(starts.joints, begins, starts.external)
+    return SegmentRows(kinds, kind, start_rows, ends, branch)
 
 
 @value_class(frozen=True, slots=True, eq=False)

@@ -47,6 +47,7 @@ from rapidsim.motion.geometry.segments import Carrier, CarrierRobot, Waypoint
 from rapidsim.motion.kinematics.arm import Kinematics
 from rapidsim.motion.robot.external_axes import ExternalAxis, screws_of
 from rapidsim.motion.robot.robot import Robot
+from rapidsim.repeated_rows import Index
 from rapidsim.values import value_class
 
 MM = 1e-3
@@ -245,19 +246,28 @@ def placement(
 
 
 def standing_at(
-    placements: Sequence[Placement], kinematics: Kinematics, standing: Sequence[Waypoint]
-) -> Sequence[Transform]:
-    """Return curve_from_tcp of each row's tool and work object at the arm's current position."""
-    if len(placements) == 1:
-        at = standing[0]
-        return [placements[0].standing_at(kinematics, at.joints, at.external, at_start=True)]
+    placements: Sequence[Placement],
+    which: Index,
+    kinematics: Kinematics,
+    joints: Array,
+    external: Array,
+) -> Transform:
+    """Return curve_from_tcp (k,) for joints (k, n) [rad] and external axes (k, e) [m or rad].
+
+    Args:
+        placements: Placements.
+        which: Index (k,) of the placement of each row.
+        kinematics: The arm.
+        joints: Joints of each row.
+        external: External axes of each row.
+    """
+    if len(which) == 1:
+        placed = placements[int(which[0])]
+        return placed.standing_at(kinematics, joints[0], external[0], at_start=True)[None]
     tcp_from_flange = Transform.stacked([one.tcp_from_flange for one in placements])
-    joints, external = ([getattr(at, part) for at in standing] for part in ("joints", "external"))
     carriers = tuple(one.carrier for one in placements)
-    rows = np.arange(len(placements))
-    arms = JointMapper(kinematics, rows, tcp_from_flange, carriers)
-    found = arms.curve_from_tcp(np.concatenate([joints, external], axis=1), rows)
-    return [found[row] for row in range(len(placements))]
+    arms = JointMapper(kinematics, np.arange(len(placements)), tcp_from_flange, carriers)
+    return arms.curve_from_tcp(np.concatenate([joints, external], axis=1), which)
 
 
 def world_from_base_at(

@@ -23,6 +23,7 @@ from rapidsim.frames.rotation_vectors import (
 )
 from rapidsim.frames.transform import Array, Transform
 from rapidsim.motion.geometry.joint_mapping import arms_of
+from rapidsim.motion.geometry.segment_rows import SegmentRows, of_each
 from rapidsim.motion.geometry.segments import (
     TURNS_WITH_PATH,
     CircleMode,
@@ -167,15 +168,15 @@ def curves_of(segments: Sequence[Segment], kinematics: Kinematics) -> Curves:
     m = len(segments)
     start, end, start_joints, end_joints = _ends(segments)
     joint_travel = end_joints - start_joints
-    in_joints = np.array([segment.geometry is Geometry.JOINT for segment in segments])
-    arcs = [row for row, segment in enumerate(segments) if segment.geometry is Geometry.ARC]
+    in_joints = of_each(segments, lambda segment: segment.geometry is Geometry.JOINT)
+    arcs = np.flatnonzero(of_each(segments, lambda segment: segment.geometry is Geometry.ARC))
 
     chord = np.where(in_joints[:, None], 0.0, end.translation - start.translation)
     spoke, frame_turn = np.zeros((m, 3)), np.zeros((m, 3))
     carried_turn, detour = np.zeros((m, 3)), np.zeros((m, 3))
     turn = vector_from_rotation(end.rotation @ np.swapaxes(start.rotation, -1, -2))
     tool_turn = turn.copy()
-    for row in arcs:
+    for row in arcs.tolist():
         arc = segments[row]
         chord[row] = 0.0
         spoke[row], frame_turn[row] = _circle(arc)
@@ -197,11 +198,12 @@ def curves_of(segments: Sequence[Segment], kinematics: Kinematics) -> Curves:
     turned = np.maximum(angle, of_arm.max(axis=-1, initial=0.0) * in_joints)
     idle = (travel < _TURN_ONLY_TRAVEL) & (turned > _TURN_ONLY_ANGLE)
     # Distance that the TCP would travel at its programmed speed while the slowest other axis moves.
-    tcp_speed = np.maximum([segment.speed.tcp for segment in segments], _IDLE_TCP_SPEED)
-    meanwhile = turned * tcp_speed / [segment.speed.reorientation for segment in segments]
+    tcp_speed = np.maximum(of_each(segments, lambda segment: segment.speed.tcp), _IDLE_TCP_SPEED)
+    reorientation = of_each(segments, lambda segment: segment.speed.reorientation)
+    meanwhile = turned * tcp_speed / reorientation
     if external.shape[1]:
         idle |= (travel < _TURN_ONLY_TRAVEL) & (external.max(axis=-1) > _TURN_ONLY_TRAVEL)
-        seconds = external / [segment.external_speeds for segment in segments]
+        seconds = external / of_each(segments, lambda segment: segment.external_speeds)
         meanwhile = np.maximum(meanwhile, seconds.max(axis=-1) * tcp_speed)
     length = np.where(idle, meanwhile, np.where(travel > STANDSTILL, travel, 0.0))
     return Curves(
@@ -356,6 +358,12 @@ def _joint_move_travel(
 
 def _ends(segments: Sequence[Segment]) -> tuple[Transform, Transform, Array, Array]:
     """Return poses (m,) at starts and ends, and joints (m, n + e) at starts and ends."""
+    if isinstance(segments, SegmentRows):
+        ends = [
+            np.concatenate([one.joints, one.external], axis=1)
+            for one in (segments.start, segments.end)
+        ]
+        return segments.start.base_from_tcp, segments.end.base_from_tcp, ends[0], ends[1]
     points = [segments[0].start, *(segment.end for segment in segments)]
     if any(one.start is not point for one, point in zip(segments, points, strict=False)):
         # Segments are not consecutive: some start differs from the previous end.

@@ -19,6 +19,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
+from operator import attrgetter
 
 import numpy as np
 import numpy.typing as npt
@@ -27,6 +28,7 @@ from rapidsim.frames.moving_frames import ExternalCourse, Twists, carried
 from rapidsim.frames.rotation_vectors import cross, rotate
 from rapidsim.frames.transform import Array, Transform
 from rapidsim.motion.derived_values import derived_value
+from rapidsim.motion.geometry.segment_rows import branches_of, of_each
 from rapidsim.motion.geometry.segments import Carrier, CarrierRobot, Geometry, Segment
 from rapidsim.motion.geometry.wrist_pair import WristPairs, wrist_pairs_of
 from rapidsim.motion.kinematics.arm import Kinematics, Mask
@@ -271,18 +273,16 @@ def arms_of(
         joint_travel: End joints minus start joints (m, n + e) [rad].
         length: Ranges of the curves' parameter (m,) [m].
     """
-    carriers = tuple(segment.carrier for segment in segments)
-    turned = np.array(
-        [s.wrist_in_joints and s.geometry is not Geometry.JOINT for s in segments], dtype=bool
-    )
+    carriers = tuple(of_each(segments, attrgetter("carrier")))
+    turned = of_each(segments, lambda s: s.wrist_in_joints and s.geometry is not Geometry.JOINT)
     n = kinematics.joint_count
     wrist_rate = joint_travel[:, _MAIN_AXES:n] / np.maximum(length, 1e-9)[:, None]
     return JointMapper(
         kinematics,
-        shared_row(np.array([segment.branch for segment in segments])),
+        shared_row(branches_of(segments)),
         Transform(
-            shared_row(np.array([segment.tcp_from_flange.rotation for segment in segments])),
-            shared_row(np.array([segment.tcp_from_flange.translation for segment in segments])),
+            shared_row(of_each(segments, attrgetter("tcp_from_flange.rotation"))),
+            shared_row(of_each(segments, attrgetter("tcp_from_flange.translation"))),
         ),
         carriers if any(carriers) else (),
         turned if turned.any() else None,

@@ -27,6 +27,7 @@ import numpy.typing as npt
 
 from rapidsim.frames.rotation_vectors import cross, rotate, rotation_from_vector
 from rapidsim.frames.transform import Array
+from rapidsim.motion.geometry.segment_rows import of_each
 from rapidsim.motion.geometry.segments import Segment
 from rapidsim.motion.kinematics.arm import Kinematics, Mask
 from rapidsim.values import value_class
@@ -174,9 +175,9 @@ def wrist_pairs_of(segments: Sequence[Segment], kinematics: Kinematics) -> Wrist
     count, n = len(segments), kinematics.joint_count
     axes = np.full((count, 2), -1)
     start, vectors = np.zeros((count, n)), np.zeros((6, count, 3))
-    for row, segment in enumerate(segments):
-        if segment.wrist_pair is None:
-            continue
+    for row in np.flatnonzero(of_each(segments, lambda one: one.wrist_pair is not None)).tolist():
+        segment = segments[row]
+        assert segment.wrist_pair is not None
         assert segment.via is not None
         axes[row], start[row] = segment.wrist_pair, segment.start.joints
         direction, through = _axes_of(kinematics, segment.start.joints)

@@ -7,7 +7,8 @@ found here, `building.build_path` returns the exact place, one path at a time.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
+from operator import attrgetter
 
 import numpy as np
 import numpy.typing as npt
@@ -18,6 +19,7 @@ from rapidsim.motion.configurations.confdata import has_branches
 from rapidsim.motion.configurations.reachability import pose_excess
 from rapidsim.motion.geometry.curves import Curves, curves_of
 from rapidsim.motion.geometry.joint_mapping import JointMapper, arms_of
+from rapidsim.motion.geometry.segment_rows import of_each
 from rapidsim.motion.geometry.segments import Segment
 from rapidsim.motion.kinematics.arm import Mask
 from rapidsim.motion.path.along_curves import LONGEST_CELL, WIDEST_CELL, Nodes, nodes_along, spread
@@ -26,7 +28,6 @@ from rapidsim.values import value_class
 
 Index = npt.NDArray[np.int64]
 
-_BATCH = 2000
 _MOST_CELLS = 200
 _HALVINGS = 14
 """Bisections of a steep cell: 50 mm become 3 micrometres."""
@@ -50,24 +51,26 @@ class SpeedBottleneck:
 
 
 @value_class(frozen=True, slots=True, eq=False)
-class SurveyedCurve:
-    """Survey result for one line or arc."""
+class SurveyedCurves:
+    """Survey results for lines and arcs (m,)."""
 
-    travel: float
+    travel: Array
     """Path length of the TCP [m]."""
-    turned: float
+    turned: Array
     """Reorientation [rad]."""
-    arrival: Array | None
-    """Joints (n,) [rad] at the end, whole turns included; None if the branch ends before."""
-    broken: bool
+    arrival: Array
+    """Joints (m, n) [rad] at the end, whole turns included."""
+    arrives: Mask
+    """Whether the branch exists there."""
+    broken: Mask
     """Whether the branch ends, jumps, or exceeds a joint limit along the path."""
-    hold_up: SpeedBottleneck | None
-    """None if the axes allow the programmed speed along the whole path."""
+    bottlenecks: Mapping[int, SpeedBottleneck]
+    """By row; none where the axes allow the programmed speed along the whole path."""
 
 
 def survey_curves(
     robot: Robot, segments: Sequence[Segment], max_speed: Array | None
-) -> tuple[SurveyedCurve, ...]:
+) -> SurveyedCurves:
     """Survey lines and arcs that have passed `circle_fault`, each separately.
 
     Args:
@@ -75,15 +78,6 @@ def survey_curves(
         segments: The paths to survey; the joints at their ends are ignored.
         max_speed: Axis speeds (n,) [rad/s]; None if unknown.
     """
-    found: list[SurveyedCurve] = []
-    for first in range(0, len(segments), _BATCH):
-        found += _survey(robot, segments[first : first + _BATCH], max_speed)
-    return tuple(found)
-
-
-def _survey(
-    robot: Robot, segments: Sequence[Segment], max_speed: Array | None
-) -> list[SurveyedCurve]:
     curves = curves_of(segments, robot.kinematics)
     arms = arms_of(segments, robot.kinematics, curves.joint_travel, curves.length)
     nodes = _nodes(curves, arms)
@@ -93,22 +87,15 @@ def _survey(
     broken = np.zeros(len(segments), dtype=bool)
     np.logical_or.at(broken, row, past)
     np.logical_or.at(broken, row[1:], nodes.jumps(robot.kinematics.turns))
-    hold_ups = (
-        {} if max_speed is None else _hold_ups(robot, segments, curves, arms, nodes, max_speed)
+    found = {} if max_speed is None else _hold_ups(robot, segments, curves, arms, nodes, max_speed)
+    return SurveyedCurves(
+        curves.travel,
+        curves.angle,
+        joints[last],
+        nodes.exists[last],
+        broken,
+        {at: one for at, one in found.items() if not broken[at]},
     )
-    arrivals, exists = joints[last], nodes.exists[last]
-    return [
-        SurveyedCurve(
-            travel=travel,
-            turned=turned,
-            arrival=arrivals[i] if exists[i] else None,
-            broken=is_broken,
-            hold_up=None if is_broken else hold_ups.get(i),
-        )
-        for i, (travel, turned, is_broken) in enumerate(
-            zip(curves.travel.tolist(), curves.angle.tolist(), broken.tolist(), strict=True)
-        )
-    ]
 
 
 def _nodes(curves: Curves, arms: JointMapper) -> Nodes:
@@ -144,9 +131,9 @@ def _hold_ups(
     way = np.linalg.norm(np.diff(tcp.translation, axis=0), axis=-1)
     before, after = tcp.rotation[:-1], tcp.rotation[1:]
     turn = np.linalg.norm(vector_from_rotation(after @ np.swapaxes(before, -1, -2)), axis=-1)
-    speed = np.array([[s.speed.tcp, s.speed.reorientation] for s in segments])[row]
+    speed = of_each(segments, attrgetter("speed.tcp", "speed.reorientation"))[row]
     time = np.maximum(way / speed[:, 0], turn / speed[:, 1])
-    timed = np.array([segment.duration is not None for segment in segments])[row]
+    timed = of_each(segments, lambda segment: segment.duration is not None)[row]
     # With a carrier the speed is that in its frame, and external axes take part in it.
     counts = (row == all_rows[:-1]) & (time > 0.0) & ~timed & ~arms.carried_rows[row]
     usage = np.abs(np.diff(joints, axis=0)) / max_speed / np.where(counts, time, np.inf)[:, None]

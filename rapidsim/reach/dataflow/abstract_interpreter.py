@@ -29,12 +29,12 @@ from rapidsim.interpreter.codegen.written_paths import bare
 from rapidsim.library import arithmetic
 from rapidsim.library.table import LibraryRoutine
 from rapidsim.library.traits import Trait
-from rapidsim.reach.dataflow.bulk_moves import Runs
 from rapidsim.reach.dataflow.controller_stub import ControllerStub
 from rapidsim.reach.dataflow.data_places import empty_data, replaced
 from rapidsim.reach.dataflow.jumps import ProgramJumps
 from rapidsim.reach.dataflow.known_values import evaluator_of
 from rapidsim.reach.dataflow.motion_settings import KnownSettings
+from rapidsim.reach.dataflow.move_instructions import MoveInstructions
 from rapidsim.reach.dataflow.move_table import MoveTable, reason_unknown
 from rapidsim.reach.dataflow.side_effects import Effects, ProgramEffects, root_of
 from rapidsim.reach.dataflow.state import BEGINNING, AbstractFrame, State, joined
@@ -65,7 +65,7 @@ class AbstractInterpreter:
 
     program: Program
     effects: ProgramEffects
-    runs: Runs
+    written: MoveInstructions
     state: State = field(default_factory=State)
     _stack: list[AbstractFrame] = field(default_factory=list)
     _entered: set[RoutineSymbol] = field(default_factory=set)
@@ -83,7 +83,7 @@ class AbstractInterpreter:
     def __post_init__(self) -> None:
         self._evaluator = evaluator_of(self.program, self)
         self._jumps = ProgramJumps(self.program, self.effects)
-        self.table = MoveTable(self.runs)
+        self.table = MoveTable(self.written)
 
     # --- routines
 
@@ -106,8 +106,8 @@ class AbstractInterpreter:
         self.state = state
         for statement in statements(*clauses(routine.node)):
             self._steps_remaining += 1
-            if isinstance(statement, tree.Call) and statement in self.runs:
-                self._steps_remaining += len(self.runs[statement][0])
+            if isinstance(statement, tree.Call):
+                self._steps_remaining += len(self.written.runs.get(statement, ()))
         self._walk_body(routine)
 
     def _walk_clauses(self, routine: RoutineSymbol) -> None:
@@ -485,8 +485,7 @@ class AbstractInterpreter:
             (self.table.unreached if is_off_path else self.table.unknown).setdefault(call, why)
             self.state.last = None
             return
-        if call in self.runs:
-            self._steps_remaining -= len(self.runs[call][0])
+        self._steps_remaining -= len(self.written.runs.get(call, ()))
         self.state.last = self.table.add(call, moves[0], self._stack[-1].routine, settings, before)
         if Trait.SEARCH in routine.traits:
             self.state.last = None

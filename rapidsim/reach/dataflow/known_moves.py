@@ -2,22 +2,29 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from typing import TypeAlias
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
+from functools import cached_property
+from itertools import chain
+from typing import Any, overload
+
+import numpy as np
+import numpy.typing as npt
 
 from rapidsim.diagnostics import Span
+from rapidsim.frames.transform import Array
+from rapidsim.interpreter.runtime.bulk_execution import targets_of
+from rapidsim.language.data import RobTarget
 from rapidsim.language.moves import MotionSettings, Move
+from rapidsim.reach.dataflow.move_instructions import MoveInstructions, MoveStatement
+from rapidsim.repeated_rows import Index, repeated
 from rapidsim.syntax import tree
 from rapidsim.syntax.bulk_rows import statement_of
+from rapidsim.syntax.bulk_statements import TARGET_SHAPE
 from rapidsim.values import value_class
 
-MoveStatement: TypeAlias = tree.Call | tree.BulkRow
-"""A move instruction in the text: in the tree, or a row of bulk statements."""
-
-
-def in_tree(call: MoveStatement) -> tree.Call:
-    """Return the tree's statement equivalent to a move, except for the numbers of its target."""
-    return call.like if isinstance(call, tree.BulkRow) else call
+_WIDTH = sum(TARGET_SHAPE)
+_EXTAX = TARGET_SHAPE[-1]
 
 
 @value_class(frozen=True, slots=True, eq=False)
@@ -50,14 +57,137 @@ class KnownMove:
         return call
 
 
+@dataclass(frozen=True, eq=False)
+class KnownMoves(Sequence[KnownMove]):
+    """Known moves (k,) as columns; each move is created when it is needed.
+
+    A move in the tree may be followed by those of bulk statements, which differ from it only in
+    their targets: what holds for it without regard to its target holds for all of them.
+    """
+
+    instructions: MoveInstructions
+    of_tree: tuple[KnownMove, ...]
+    """The moves of statements in the tree."""
+    number: Index
+    """Number of the instruction of each of these."""
+    counts: Index
+    """Number of moves that each of these stands for, including itself."""
+
+    @staticmethod
+    def listed(moves: Sequence[KnownMove]) -> KnownMoves:
+        """Return some moves, each by itself."""
+        ones = np.ones(len(moves), dtype=np.int64)
+        return KnownMoves(MoveInstructions((), {}), tuple(moves), np.arange(len(moves)), ones)
+
+    def __len__(self) -> int:
+        """Return the number of moves."""
+        return int(self.counts.sum())
+
+    @overload
+    def __getitem__(self, at: int) -> KnownMove: ...
+    @overload
+    def __getitem__(self, at: slice) -> Sequence[KnownMove]: ...
+
+    def __getitem__(self, at: int | slice) -> KnownMove | Sequence[KnownMove]:
+        """Return a move, or those of a slice."""
+        if isinstance(at, slice):
+            return [self[row] for row in range(len(self))[at]]
+        row = range(len(self))[at]
+        of = int(self.tree_row[row])
+        known = self.of_tree[of]
+        if row == self._begins[of]:
+            return known
+        call, _ = self.instructions[int(self.instruction[row])]
+        (target,) = targets_of(self.instructions.numbers_of_rows(self.instruction[row : row + 1]))
+        return replace(
+            known, call=call, move=replace(known.move, to=target), previous=row - 1, begins=False
+        )
+
+    def __iter__(self) -> Iterator[KnownMove]:
+        """Iterate over the moves."""
+        return map(self.__getitem__, range(len(self)))
+
+    @cached_property
+    def _begins(self) -> Index:
+        """Row of each move in the tree."""
+        begins: Index = np.cumsum(self.counts) - self.counts
+        return begins
+
+    @cached_property
+    def tree_row(self) -> Index:
+        """Shape (k,): index of the move in the tree that differs at most in its target."""
+        return repeated(self.counts)[0]
+
+    @cached_property
+    def instruction(self) -> Index:
+        """Shape (k,): number of the instruction of each move."""
+        number: Index = (self.number - self._begins)[self.tree_row] + np.arange(len(self))
+        return number
+
+    @cached_property
+    def previous(self) -> Index:
+        """Shape (k,): row of the move at whose end each starts; -1 if unknown."""
+        previous: Index = np.arange(-1, len(self) - 1)
+        previous[self._begins] = [
+            -1 if known.previous is None else known.previous for known in self.of_tree
+        ]
+        return previous
+
+    @cached_property
+    def begins(self) -> npt.NDArray[np.bool_]:
+        """Shape (k,): whether a run of main begins with it."""
+        begins = np.zeros(len(self), dtype=bool)
+        begins[self._begins] = [known.begins for known in self.of_tree]
+        return begins
+
+    def like(self, row: int) -> KnownMove:
+        """Return the move in the tree that differs from a move at most in target and start."""
+        return self.of_tree[int(self.tree_row[row])]
+
+    def each(self, fact: Callable[[KnownMove], Any], dtype: Any = bool) -> npt.NDArray[Any]:
+        """Return a fact about each move (k,) that does not depend on its target."""
+        of_tree = np.fromiter(map(fact, self.of_tree), dtype=dtype, count=len(self.of_tree))
+        found: npt.NDArray[Any] = of_tree[self.tree_row]
+        return found
+
+    def numbers(self, rows: Index | slice) -> Array:
+        """Return the numbers (m, 17) of the targets of rows; of axis positions only `extax`."""
+        numbers: Array = self._numbers_of_tree[self.tree_row[rows]]
+        instruction = self.instruction[rows]
+        bulk = instruction != self.number[self.tree_row[rows]]
+        numbers[bulk] = self.instructions.numbers_of_rows(instruction[bulk])
+        return numbers
+
+    @cached_property
+    def _numbers_of_tree(self) -> Array:
+        return np.array([_numbers(known) for known in self.of_tree]).reshape(-1, _WIDTH)
+
+    def followed_by(self, moves: Sequence[KnownMove], number: Sequence[int]) -> KnownMoves:
+        """Return these moves and others of the program, by the numbers of their instructions."""
+        return KnownMoves(
+            self.instructions,
+            (*self.of_tree, *moves),
+            np.append(self.number, np.array(number, dtype=np.int64)),
+            np.append(self.counts, np.ones(len(moves), dtype=np.int64)),
+        )
+
+
+def _numbers(known: KnownMove) -> list[float]:
+    to = known.move.to
+    if isinstance(to, RobTarget):
+        return list(chain(*to))
+    return [np.nan] * (_WIDTH - _EXTAX) + list(to.extax)
+
+
 @value_class(frozen=True, slots=True, eq=False)
 class WalkedProgram:
     """Moves of a program that are known statically."""
 
-    written: tuple[tuple[MoveStatement, tree.Module], ...]
+    written: MoveInstructions
     """Every move instruction of the text."""
-    moves: tuple[KnownMove, ...]
-    unknown: Mapping[MoveStatement, str]
-    """Reasons why moves are unknown on at least one path of the program."""
+    moves: KnownMoves
+    unknown: Mapping[int, str]
+    """Reasons why moves are unknown on at least one path of the program, by the numbers of their
+    instructions."""
     settings_set: frozenset[str]
     """Fields of the settings that some instruction of the program sets."""

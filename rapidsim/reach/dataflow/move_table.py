@@ -4,14 +4,18 @@ from __future__ import annotations
 
 from collections.abc import Sequence, Set
 from dataclasses import dataclass, field
+from itertools import chain
+
+import numpy as np
 
 from rapidsim.analysis.program import RoutineSymbol
 from rapidsim.language.data import JointTarget
 from rapidsim.language.moves import Move
-from rapidsim.reach.dataflow.bulk_moves import Runs, moves_of_run
-from rapidsim.reach.dataflow.known_moves import KnownMove, MoveStatement
+from rapidsim.reach.dataflow.known_moves import KnownMove, KnownMoves
 from rapidsim.reach.dataflow.motion_settings import DISPLACEMENTS, KnownSettings
+from rapidsim.reach.dataflow.move_instructions import MoveInstructions
 from rapidsim.reach.dataflow.state import BEGINNING
+from rapidsim.reach.dataflow.written_moves import RunNotFollowedError
 from rapidsim.syntax import tree
 
 
@@ -19,14 +23,14 @@ from rapidsim.syntax import tree
 class MoveTable:
     """Known moves, and the reasons why others are unknown."""
 
-    runs: Runs
-    moves: list[KnownMove] = field(default_factory=list)
-    unknown: dict[MoveStatement, str] = field(default_factory=dict)
-    unreached: dict[MoveStatement, str] = field(default_factory=dict)
+    written: MoveInstructions
+    unknown: dict[tree.Call, str] = field(default_factory=dict)
+    unreached: dict[tree.Call, str] = field(default_factory=dict)
     """Reasons why moves on no path of the program are unknown; used if no path reaches them."""
+    _known: list[KnownMove] = field(default_factory=list)
+    _ends: list[int] = field(default_factory=list)
+    """Index of the last move of the bulk statements after each; its own if there are none."""
     _index: dict[object, int] = field(default_factory=dict)
-    _run_ends: dict[int, int] = field(default_factory=dict)
-    """By the move before bulk statements, the last of their moves."""
 
     def add(
         self,
@@ -44,13 +48,17 @@ class MoveTable:
             routine: The routine with the instruction.
             settings: The settings in force.
             previous: Index of the move at whose end it starts, or BEGINNING; None if unknown.
+
+        Raises:
+            RunNotFollowedError: If the target of the move differs from the text before bulk
+                statements.
         """
         key = (call, move, settings, previous)
         index = self._index.get(key)
         if index is None:
-            index = self._index[key] = len(self.moves)
+            index = self._index[key] = len(self._known)
             begins = previous == BEGINNING
-            self.moves.append(
+            self._known.append(
                 KnownMove(
                     call,
                     routine.module,
@@ -62,13 +70,28 @@ class MoveTable:
                     begins,
                 )
             )
-        if call not in self.runs:
-            return index
-        if index not in self._run_ends:
-            assert index == len(self.moves) - 1, "the first of them starts where it ends"
-            self.moves += moves_of_run(*self.runs[call], self.moves[index], len(self.moves))
-            self._run_ends[index] = len(self.moves) - 1
-        return self._run_ends[index]
+            run = self.written.runs.get(call)
+            if run is not None and not _is_as_written(move, run):
+                raise RunNotFollowedError
+            first = self._ends[-1] + 1 if self._ends else 0
+            self._ends.append(first + (0 if run is None else len(run)))
+        return self._ends[index]
+
+    def moves(self) -> KnownMoves:
+        """Return the known moves."""
+        number = [self.written.number_of[known.call] for known in self._known]  # type: ignore[index]
+        return KnownMoves(
+            self.written,
+            tuple(self._known),
+            np.array(number, dtype=np.int64),
+            np.array(self._ends, dtype=np.int64) - np.array([-1, *self._ends[:-1]]),
+        )
+
+
+def _is_as_written(move: Move, run: tree.BulkStatements) -> bool:
+    """Whether the target of the move before bulk statements is that of its text."""
+    went = np.array(list(chain(*move.to)))
+    return move.programmed is None and np.array_equal(run.numbers_of_like, went)
 
 
 def reason_unknown(instruction: str, moves: Sequence[Move], uncertain: Set[str]) -> str | None:

@@ -6,8 +6,8 @@ from rapidsim.analysis.program import Program, does
 from rapidsim.analysis.tree_walk import clauses, statements
 from rapidsim.library.traits import Trait
 from rapidsim.reach.dataflow.abstract_interpreter import TOO_LONG, AbstractInterpreter
-from rapidsim.reach.dataflow.bulk_moves import runs_of, with_rows
 from rapidsim.reach.dataflow.known_moves import WalkedProgram
+from rapidsim.reach.dataflow.move_instructions import MoveInstructions, runs_of
 from rapidsim.reach.dataflow.side_effects import ProgramEffects
 from rapidsim.reach.dataflow.written_moves import RunNotFollowedError
 from rapidsim.syntax import tree
@@ -23,24 +23,26 @@ def walk_program(program: Program) -> WalkedProgram:
             Their rows must then be in the tree.
     """
     runs = runs_of(program)
-    written = tuple(
-        (one, module)
+    calls = tuple(
+        (node, module)
         for module in program.modules
         for routine in module.routines
         for node in statements(*clauses(routine))
         if isinstance(node, tree.Call) and Trait.MOVE in does(program.symbol_of.get(node))
-        for one in with_rows(node, runs)
     )
+    written = MoveInstructions(calls, runs)
     effects = ProgramEffects(program)
-    walker = AbstractInterpreter(program, effects, runs)
-    if written:
+    walker = AbstractInterpreter(program, effects, written)
+    if calls:
         walker.walk_all()
     table = walker.table
-    met = {known.call for known in table.moves} | table.unknown.keys()
-    for call, _ in written:
+    moves = table.moves()
+    met = {known.call for known in moves.of_tree} | table.unknown.keys()
+    for call, _ in calls:
         if call not in met:
             table.unknown[call] = table.unreached.get(call, TOO_LONG)
     if not runs.keys() <= met or runs.keys() & (table.unknown.keys() | table.unreached.keys()):
         raise RunNotFollowedError
-    settings_set = effects.everything.settings if written else frozenset()
-    return WalkedProgram(written, tuple(table.moves), table.unknown, settings_set)
+    unknown = {written.number_of[call]: why for call, why in table.unknown.items()}
+    settings_set = effects.everything.settings if calls else frozenset()
+    return WalkedProgram(written, moves, unknown, settings_set)
