@@ -1,5 +1,6 @@
 """Faults of a controller that stays on: when they begin and end, and what a program sees."""
 
+import math
 from pathlib import Path
 
 import pytest
@@ -103,6 +104,42 @@ def test_a_fault_of_a_test_begins_at_once_and_all_end_on_request() -> None:
     assert (state(live), panel.is_chain_closed) == ("emergencystopreset", True)
     live.after(200.0)
     assert panel.is_chain_closed
+
+
+@pytest.mark.parametrize(("withdrawn", "ended"), [(False, "motoroff"), (True, "motoron")])
+def test_a_fault_that_waits_for_a_condition_is_withdrawn_with_the_others(
+    withdrawn: bool, ended: str
+) -> None:
+    live = Live(TURNS, io=cell())
+    faults = live.controller.faults
+    faults.add(read_fault({"kind": "guard_stop", "when": "doDone", "for": 0.1}))
+    if withdrawn:
+        faults.end_all()
+    live.controller.start()
+    live.after(20.0)
+    assert state(live) == ended
+
+
+def test_clients_set_signals_within_their_limits() -> None:
+    either = (None, None), (2.0, 9.0)
+    found = {
+        (kind.name, low): signals.limits(SignalDeclaration("s", kind, lowest=low, highest=high))
+        for kind in (SignalKind.DI, SignalKind.GI, SignalKind.GO, SignalKind.AI, SignalKind.AO)
+        for low, high in either
+    }
+    group, analog = (0.0, 2.0**32 - 1), (-math.inf, math.inf)
+    assert found == {
+        ("DI", None): (0.0, 1.0),
+        ("DI", 2.0): (0.0, 1.0),
+        ("GI", None): group,
+        ("GI", 2.0): (2.0, 9.0),
+        ("GO", None): group,
+        ("GO", 2.0): (2.0, 9.0),
+        ("AI", None): analog,
+        ("AI", 2.0): (2.0, 9.0),
+        ("AO", None): analog,
+        ("AO", 2.0): (2.0, 9.0),
+    }
 
 
 def test_a_warm_restart_keeps_data_and_pointers_and_a_cold_one_does_not() -> None:

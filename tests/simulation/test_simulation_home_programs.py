@@ -3,6 +3,7 @@
 from datetime import datetime
 from pathlib import Path
 
+import numpy as np
 from simulation_program import ran
 
 
@@ -259,3 +260,26 @@ ENDMODULE
     assert it.texts == ["TRUEFALSE", "ram"]
     made = sorted(one.relative_to(tmp_path).as_posix() for one in tmp_path.rglob("*.*"))
     assert made == ["C/Users/me/b.txt", "RAMDISK/a.bin", "TEMP/a.bin", "c.txt"]
+
+
+def test_the_size_of_the_disk_in_each_unit(tmp_path: Path) -> None:
+    (tmp_path / "a.txt").write_bytes(bytes(1_500_000))
+    asked = (r"\Total", r"\Free", r"\Total\Kbyte", r"\Free\Kbyte", r"\Total\Mbyte", r"\Free\Mbyte")
+    each = "".join(f'    told FSSize("HOME:"{one});\n' for one in asked)
+    it = ran(
+        f"""MODULE cell
+  PROC main()
+{each}  ENDPROC
+  PROC told(num size)
+    TPWrite NumToStr(size,0);
+  ENDPROC
+ENDMODULE
+""",
+        home=tmp_path,
+        assumes=True,
+    )
+    disk = 1_000_000_000
+    free = disk - 1_500_000
+    # Numbers of RAPID have single precision.
+    whole = [disk, free, disk // 1024, free // 1024, disk // 1024**2, free // 1024**2]
+    assert [float(text) for text in it.texts] == [float(np.float32(size)) for size in whole]
