@@ -178,15 +178,15 @@ class PathSurvey:
         followed &= (previous >= 0) & stances.sure[previous]
         return followed & self.ends.looked_at & self.ends.reachable
 
-    def _survey_block(self, rows: Index, ways: SurveyedPaths) -> None:
+    def _survey_block(self, rows: Index, surveyed: SurveyedPaths) -> None:
         """Survey the paths of some rows."""
-        joints, robot = ways.stances.joints, self.robot
+        joints, robot = surveyed.stances.joints, self.robot
         segments = segments_of(self.posed, joints, robot, self.model, rows)
         is_sound = np.ones(len(rows), dtype=bool)
         arcs = of_each(segments, lambda segment: segment.geometry is Geometry.ARC)
         for at in np.flatnonzero(arcs).tolist():
             if (fault := circle_fault(segments[at])) is not None:
-                ways.circle_faults[int(rows[at])] = fault
+                surveyed.circle_faults[int(rows[at])] = fault
                 is_sound[at] = False
         if not is_sound.all():
             sound = np.flatnonzero(is_sound)
@@ -194,18 +194,20 @@ class PathSurvey:
         if not len(rows):
             return
         found = survey_curves(robot, segments, self._max_speed)
-        ways.is_surveyed[rows] = True
-        ways.travel[rows], ways.turned[rows] = found.travel, found.turned
-        ways.arrival[rows], ways.arrives[rows] = found.arrival, found.arrives
-        ways.is_broken[rows] = found.broken
-        ways.bottlenecks.update((int(rows[at]), one) for at, one in found.bottlenecks.items())
+        surveyed.is_surveyed[rows] = True
+        surveyed.travel[rows], surveyed.turned[rows] = found.travel, found.turned
+        surveyed.arrival[rows], surveyed.arrives[rows] = found.arrival, found.arrives
+        surveyed.is_broken[rows] = found.broken
+        surveyed.bottlenecks.update((int(rows[at]), one) for at, one in found.bottlenecks.items())
 
-    def _strays(self, ways: SurveyedPaths) -> dict[int, Array]:
+    def _strays(self, surveyed: SurveyedPaths) -> dict[int, Array]:
         """Return joints (n,) [rad] of rows that newly arrive elsewhere than their end implies."""
-        arrive = np.flatnonzero(ways.arrives & ~ways.is_broken & ways.stances.sure)
-        off = np.abs(ways.arrival[arrive] - ways.stances.joints[arrive]).max(axis=-1, initial=0.0)
+        arrive = np.flatnonzero(surveyed.arrives & ~surveyed.is_broken & surveyed.stances.sure)
+        off = np.abs(surveyed.arrival[arrive] - surveyed.stances.joints[arrive]).max(
+            axis=-1, initial=0.0
+        )
         rows = arrive[off > _SAME_JOINTS].tolist()
-        return {row: ways.arrival[row] for row in rows if row not in ways.strays}
+        return {row: surveyed.arrival[row] for row in rows if row not in surveyed.strays}
 
     def _requires_stored(self, row: int) -> bool:
         """Whether a move requires a stored configuration in which the arm could arrive."""
@@ -383,7 +385,8 @@ class PathSurvey:
         return ZoneTooLarge(1e3 * size, 1e3 * length, which, 500.0 * length)
 
 
-def _zone_size(known: KnownMove) -> float:
+def _zone_size(known_move: KnownMove) -> float:
     """Size [m] of the zone at the end of a move; 0 if it is small, or there is none."""
-    zone = None if known.move.zone.pzone_tcp <= _SMALL_ZONE_MM else zone_of(known.move)
+    move = known_move.move
+    zone = None if move.zone.pzone_tcp <= _SMALL_ZONE_MM else zone_of(move)
     return 0.0 if zone is None else zone.position

@@ -199,10 +199,10 @@ class _SkipReasons:
         if len(moves):
             self._may_be |= of_frame[frame]
 
-    def _may_be_skipped(self, known: KnownMove) -> bool:
-        arc = known.move.interpolation is Interpolation.CIRCLE
-        alone = known.move.interpolation is Interpolation.EXTERNAL_AXES
-        return arc or alone or (bool(self._external) and self._is_passive(known))
+    def _may_be_skipped(self, known_move: KnownMove) -> bool:
+        arc = known_move.move.interpolation is Interpolation.CIRCLE
+        alone = known_move.move.interpolation is Interpolation.EXTERNAL_AXES
+        return arc or alone or (bool(self._external) and self._is_passive(known_move))
 
     def of(self, numbers: Array, rows: slice, values: Array, unknown: Index) -> dict[int, str]:
         """Return the reasons of a block, by row; external axes that are not known become 0.
@@ -231,10 +231,10 @@ class _SkipReasons:
                 skipped[row] = reason
         return skipped
 
-    def _is_passive(self, known: KnownMove) -> bool:
-        settings = known.settings
+    def _is_passive(self, known_move: KnownMove) -> bool:
+        settings = known_move.settings
         passive = settings.inactive_units or settings.independent_axes
-        return bool(passive) or not known.uncertain.isdisjoint(AXES_IN_USE)
+        return bool(passive) or not known_move.uncertain.isdisjoint(AXES_IN_USE)
 
 
 def _skip_reason(

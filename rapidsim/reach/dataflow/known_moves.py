@@ -172,8 +172,8 @@ class KnownMoves(Sequence[KnownMove]):
         )
 
 
-def _numbers(known: KnownMove) -> list[float]:
-    to = known.move.to
+def _numbers(known_move: KnownMove) -> list[float]:
+    to = known_move.move.to
     if isinstance(to, RobTarget):
         return list(chain(*to))
     return [np.nan] * (_WIDTH - _EXTAX) + list(to.extax)

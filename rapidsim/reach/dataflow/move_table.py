@@ -27,7 +27,7 @@ class MoveTable:
     unknown: dict[tree.Call, str] = field(default_factory=dict)
     unreached: dict[tree.Call, str] = field(default_factory=dict)
     """Reasons why moves on no path of the program are unknown; used if no path reaches them."""
-    _known: list[KnownMove] = field(default_factory=list)
+    _rows: list[KnownMove] = field(default_factory=list)
     _ends: list[int] = field(default_factory=list)
     """Index of the last move of the bulk statements after each; its own if there are none."""
     _index: dict[object, int] = field(default_factory=dict)
@@ -56,9 +56,9 @@ class MoveTable:
         key = (call, move, settings, previous)
         index = self._index.get(key)
         if index is None:
-            index = self._index[key] = len(self._known)
+            index = self._index[key] = len(self._rows)
             begins = previous == BEGINNING
-            self._known.append(
+            self._rows.append(
                 KnownMove(
                     call,
                     routine.module,
@@ -79,10 +79,10 @@ class MoveTable:
 
     def moves(self) -> KnownMoves:
         """Return the known moves."""
-        number = [self.written.number_of[known.call] for known in self._known]  # type: ignore[index]
+        number = [self.written.number_of[known.call] for known in self._rows]  # type: ignore[index]
         return KnownMoves(
             self.written,
-            tuple(self._known),
+            tuple(self._rows),
             np.array(number, dtype=np.int64),
             np.array(self._ends, dtype=np.int64) - np.array([-1, *self._ends[:-1]]),
         )
