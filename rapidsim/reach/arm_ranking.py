@@ -25,7 +25,7 @@ from rapidsim.motion.configurations.reachability import programmed_excess
 from rapidsim.motion.robot.catalogue import find_entry, robot_names
 from rapidsim.motion.robot.robot import Robot, load_robot
 from rapidsim.reach.arm_configurations import confdata_columns, solved_ends
-from rapidsim.reach.dataflow.known_moves import KnownMove, KnownMoves
+from rapidsim.reach.dataflow.known_moves import KnownMoves
 from rapidsim.reach.dataflow.program_walk import walk_program
 from rapidsim.reach.target_poses import posed
 from rapidsim.values import value_class
@@ -151,19 +151,26 @@ def program_targets(
     Raises:
         RunNotFollowedError: See `walk_program`.
     """
-    distinct: dict[object, KnownMove] = {}
+    distinct: dict[bytes, tuple[KnownMoves, int]] = {}
+    frames: dict[object, int] = {}
     axes: dict[JointTarget, None] = {}
     heaviest = 0.0
     for program in programs:
-        for known in walk_program(program).moves:
-            move = known.move
-            heaviest = max(heaviest, float(move.tool.tload.mass))
-            if isinstance(move.to, JointTarget):
-                axes[move.to] = None
-            else:
-                distinct.setdefault((move.to, move.tool, move.wobj), known)
-    moves = list(distinct.values())
-    chosen = [moves[row] for row in _chosen(len(moves), _MOST_TARGETS)]
+        moves = walk_program(program).moves
+        for known in moves.of_tree:
+            heaviest = max(heaviest, float(known.move.tool.tload.mass))
+            if isinstance(known.move.to, JointTarget):
+                axes[known.move.to] = None
+        frame = moves.each(
+            lambda known: frames.setdefault((known.move.tool, known.move.wobj), len(frames)), int
+        )
+        rows = np.flatnonzero(moves.each(lambda known: isinstance(known.move.to, RobTarget)))
+        # 0.0 and -0.0 are the same number, but not the same bytes.
+        table = np.column_stack([moves.numbers(rows) + 0.0, frame[rows]])
+        for row, written in zip(rows.tolist(), table, strict=True):
+            distinct.setdefault(written.tobytes(), (moves, row))
+    found = list(distinct.values())
+    chosen = [found[at][0][found[at][1]] for at in _chosen(len(found), _MOST_TARGETS)]
     # Poses do not depend on the arm.
     listed = KnownMoves.listed(chosen)
     placed = posed(listed, load_robot(robot_names()[0]), base_from_world)
