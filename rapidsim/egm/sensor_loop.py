@@ -9,10 +9,8 @@ from __future__ import annotations
 
 import gc
 import math
-import os
 import select
 import signal
-import sys
 from contextlib import suppress
 from dataclasses import field, replace
 from multiprocessing.connection import Connection, wait
@@ -36,8 +34,6 @@ _MOST_LATE: Final = 25
 _ROUNDING_S: Final = 1e-6
 _HOLDS_S: Final = 0.5
 """Time [s] on the wall clock for which a stream continues without data of the controller."""
-_MOST_URGENT: Final = 4.0
-"""Speed, in virtual seconds per second, above which a guide would keep a processor to itself."""
 
 
 @value_class(frozen=True, slots=True)
@@ -234,9 +230,6 @@ class _SensorSession:
                 if fresh:
                     self.stream = [one for one in self.stream if one.time_s < fresh[0].time_s]
                     self.stream += fresh
-                elif stream and self.last is not None:
-                    # The controller is behind: its robot is there now.
-                    self.last = replace(stream[-1], time_s=self.last.time_s)
                 self.held_s = 0.0
             case SendData(sent):
                 self.sent = sent
@@ -270,27 +263,13 @@ class _SensorSession:
         return self.opened.began_s + virtual_s / self.opened.speed
 
 
-def run_sensor_loop(connection: Connection, speed: float) -> None:
-    """The main function of the guide process; see `serve_sensors`.
-
-    Args:
-        connection: To the controller.
-        speed: Virtual seconds per second of the wall clock.
-    """
+def run_sensor_loop(connection: Connection) -> None:
+    """The main function of the guide process; see `serve_sensors`."""
     # Ctrl-C goes to all processes of a terminal; the guide ends with its controller.
     for name in ("SIGINT", "SIGTERM"):
         signal.signal(getattr(signal, name), signal.SIG_IGN)
     gc.freeze()
-    if speed <= _MOST_URGENT:
-        run_before_others()
     serve_sensors(connection)
-
-
-def run_before_others() -> None:
-    """Let this process run as soon as it is due, if its user may have such processes."""
-    if sys.platform == "linux":
-        with suppress(OSError):
-            os.sched_setscheduler(0, os.SCHED_RR, os.sched_param(1))
 
 
 def serve_sensors(connection: Connection) -> None:

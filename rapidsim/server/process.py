@@ -190,9 +190,8 @@ def started(
         of_guide.close()
         raise InputError("the controller's process has ended before it was there") from None
     if isinstance(start, SwitchedOn):
-        if start.is_guided and settings.speed is not None:
-            guide = (of_guide, settings.speed)
-            context.Process(target=run_sensor_loop, args=guide, daemon=True).start()
+        if start.is_guided:
+            context.Process(target=run_sensor_loop, args=(of_guide,), daemon=True).start()
         of_guide.close()
         return EngineProcess(start, ours, process)
     of_guide.close()

@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-import os
 import socket
-import sys
 from collections.abc import Iterator
 from contextlib import contextmanager
 from copy import deepcopy
@@ -22,7 +20,7 @@ from rapidsim.egm.codec import decode, encode
 from rapidsim.egm.devices import Address, sensor_devices
 from rapidsim.egm.guided_sensors import GuidedSensors
 from rapidsim.egm.messages import PATH_CORRECTION, ROBOT, SENSOR, MessageType
-from rapidsim.egm.sensor_loop import run_before_others, serve_sensors
+from rapidsim.egm.sensor_loop import serve_sensors
 from rapidsim.frames.transform import Transform
 from rapidsim.motion.guidance.feedback import (
     Frames,
@@ -122,40 +120,6 @@ def test_a_stream_goes_on_where_the_controller_says_nothing_new() -> None:
     joints = [one["feedBack"]["joints"]["joints"] for one in frames]
     assert joints[4:] == [list(stream[4].joints)] * 4
     assert {one["mciState"]["state"] for one in frames} == {2}
-
-
-def test_a_controller_that_is_behind_still_says_where_its_robot_is() -> None:
-    run, feedback = begun()
-    first, late = (
-        standing_feedback(feedback.frames, 0.0, run.start + turn, (), Guided.NOT_YET, 0.0)
-        for turn in (0.0, 0.1)
-    )
-    with guided() as (sensors, sensor):
-        one = sensors.open("dev")
-        one.stream([first, replace(first, time_s=CYCLE_S)])
-        for _ in range(4):
-            heard(sensor)
-        one.stream([late])
-        frames = [heard(sensor)[0]]
-        while frames[-1]["feedBack"]["joints"]["joints"] != list(late.joints):
-            frames.append(heard(sensor)[0])
-        one.close()
-    times = [frame["header"]["tm"] for frame in frames]
-    assert times == [times[0] + 4 * k for k in range(len(times))]
-
-
-def test_the_guide_runs_before_others_where_that_is_allowed(
-    monkeypatch: pytest.MonkeyPatch,
-) -> None:
-    asked = []
-
-    def refused(*arguments: object) -> None:
-        asked.append(arguments)
-        raise PermissionError
-
-    monkeypatch.setattr(os, "sched_setscheduler", refused, raising=False)
-    run_before_others()
-    assert len(asked) == (sys.platform == "linux")
 
 
 def test_what_is_streamed_of_a_corrected_path_is_answered() -> None:
