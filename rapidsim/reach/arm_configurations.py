@@ -37,14 +37,13 @@ from rapidsim.reach.dataflow.known_moves import KnownMove, KnownMoves
 from rapidsim.reach.move_segments import segment_of_row
 from rapidsim.reach.target_poses import PosedMoves
 from rapidsim.repeated_rows import Index
+from rapidsim.syntax.tree.bulk_statements import ROBCONF
 from rapidsim.values import value_class
 
 MOST_SEARCHED = 40
 """Largest number of targets that are solved iteratively; the others need a run."""
 _BATCH = 4096
 _MOST = 9999.0
-_CONFDATA = slice(7, 11)
-"""Place of a configuration among the numbers of a target."""
 
 
 @value_class(frozen=True, slots=True, eq=False)
@@ -264,7 +263,7 @@ def stored_confdata(moves: KnownMoves, row: int) -> tuple[int, int, int, int]:
 
 def confdata_columns(moves: KnownMoves, rows: Index | int) -> Array:
     """Return the stored cf1, cf4, cf6 and cfx of the targets of moves to poses, shape (k, 4)."""
-    written = moves.numbers(np.atleast_1d(rows))[:, _CONFDATA]
+    written = moves.numbers(np.atleast_1d(rows))[:, ROBCONF]
     return np.rint(np.clip(written, -_MOST, _MOST))
 
 

@@ -31,12 +31,11 @@ def segments_of(
     """
     moves, before = posed.moves, posed.moves.previous[rows]
     _, first, kind = np.unique(moves.tree_row[rows], return_index=True, return_inverse=True)
-    is_led = moves.each(lambda known: is_wrist_driven(known, robot))
 
     def waypoints(at: Index) -> WaypointRows:
         poses = posed.curve_from_tcp[at]
-        led = np.flatnonzero(is_led[at]).tolist()
-        aims = {row: poses.translation[row] for row in led}
+        led = moves.each_of(at, lambda known: is_wrist_driven(known, robot))
+        aims = {row: poses.translation[row] for row in np.flatnonzero(led).tolist()}
         return WaypointRows(joints[at], poses, posed.external[at], aims)
 
     return segment_rows(

@@ -20,12 +20,11 @@ from rapidsim.motion.robot.robot import Robot
 from rapidsim.reach.dataflow.circle_modes import is_wrist_driven
 from rapidsim.reach.dataflow.known_moves import KnownMove, KnownMoves
 from rapidsim.repeated_rows import Index
+from rapidsim.syntax.tree.bulk_statements import EXTAX, ROT, TRANS
 
 FRAME_WITHOUT_ORIENTATION = "the frame of the tool or the work object has no orientation"
 """Reason for skipping moves that no run can place either."""
 _PASSIVE = "a mechanical unit is not active, or an axis independent; only a run tells"
-_POSE = 7
-"""Number of numbers of a pose: position and quaternion."""
 _NO_POSE = (0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0)
 _CERTAINLY_UNIT = 0.5 * targets.REFUSED_NORM_ERROR
 """Error of the norm of a quaternion up to which it is not looked at by itself."""
@@ -132,8 +131,8 @@ def posed(
         values[rows], unknown = _external_values(numbers, external)
         skipped = reasons.of(numbers, rows, values[rows], unknown)
         left_out |= skipped
-        numbers[[row - first for row in skipped], :_POSE] = _NO_POSE
-        numbers[np.isnan(numbers[:, 0]), :_POSE] = _NO_POSE
+        numbers[[row - first for row in skipped], : ROT.stop] = _NO_POSE
+        numbers[np.isnan(numbers[:, 0]), : ROT.stop] = _NO_POSE
         _place(ends, robot.kinematics, rows, numbers)
     return ends
 
@@ -142,7 +141,7 @@ def _place(ends: PosedMoves, kinematics: Kinematics, rows: slice, numbers: Array
     """Compute the poses of a block of rows, from the numbers (m, 17) of their targets."""
     plain, frame = ends.placements, ends.frame[rows]
     curve_from_object = Transform.stacked([one.curve_from_object for one in plain])[frame]
-    pose = Transform.from_quaternion(numbers[:, 3:_POSE], numbers[:, :3] * targets.MM)
+    pose = Transform.from_quaternion(numbers[:, ROT], numbers[:, TRANS] * targets.MM)
     curve_from_tcp = curve_from_object @ pose
     carriers = tuple(one.carrier for one in plain)
     arms = JointMapper(
@@ -174,7 +173,7 @@ def _external_values(numbers: Array, external: Sequence[ExternalAxis]) -> tuple[
     values = np.zeros((len(numbers), len(external)))
     unknown = np.full(len(numbers), -1)
     for number, axis in reversed(list(enumerate(external))):
-        column = numbers[:, _POSE + 4 + ExtJoint._fields.index(axis.component)]
+        column = numbers[:, EXTAX.start + ExtJoint._fields.index(axis.component)]
         unknown[column >= UNUSED_AXIS] = number
         values[:, number] = column / axis.scale
     return values, unknown
@@ -214,7 +213,7 @@ class _SkipReasons:
             unknown: First axis (m,) without a value; -1 if all have one.
         """
         with np.errstate(invalid="ignore"):
-            off = np.abs(np.linalg.norm(numbers[:, 3:_POSE], axis=1) - 1.0) > _CERTAINLY_UNIT
+            off = np.abs(np.linalg.norm(numbers[:, ROT], axis=1) - 1.0) > _CERTAINLY_UNIT
         skipped: dict[int, str] = {}
         for at in np.flatnonzero(self._may_be[rows] | off | (unknown >= 0)).tolist():
             row = rows.start + at

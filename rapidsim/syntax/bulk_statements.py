@@ -27,6 +27,7 @@ import numpy as np
 from rapidsim.syntax.bulk_reading import BulkReading
 from rapidsim.syntax.limits import LONGEST_NAME
 from rapidsim.syntax.stored_table import rapid_table
+from rapidsim.syntax.tree.bulk_statements import TARGET_SHAPE, TARGET_WIDTH
 from rapidsim.values import value_class
 
 if TYPE_CHECKING:
@@ -35,9 +36,6 @@ if TYPE_CHECKING:
 
 LEAST_LINES = 12
 """Minimum number of lines of a run; shorter ones are parsed."""
-TARGET_SHAPE = (3, 4, 4, 6)
-"""Numbers in the parts of a target: position, orientation, configuration, external axes."""
-_WIDTH = sum(TARGET_SHAPE)
 _BLOCK = 4_000_000
 """Number of characters that are read into columns at once."""
 _LEAST_STRETCH = 8
@@ -152,7 +150,7 @@ def _read(
             varying = "\n".join(parts[1::2])
         if not is_by_name:
             values = _numbers(varying)
-            if values.shape != (len(behind), _WIDTH):
+            if values.shape != (len(behind), TARGET_WIDTH):
                 return None
             numbers.append(values)
         begin = stop
@@ -169,7 +167,7 @@ def _numbers(targets: str) -> Numbers:
         # It warns of text that it cannot parse, and stops there.
         warnings.simplefilter("ignore", DeprecationWarning)
         read = np.fromstring(digits, dtype=np.float64, sep=" ")
-    return read.reshape(-1, _WIDTH) if len(read) % _WIDTH == 0 else read
+    return read.reshape(-1, TARGET_WIDTH) if len(read) % TARGET_WIDTH == 0 else read
 
 
 def _inner(plain: Mask) -> Mask:

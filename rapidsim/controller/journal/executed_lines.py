@@ -5,13 +5,14 @@ from __future__ import annotations
 from bisect import bisect_right
 from collections.abc import Iterator, Sequence
 from itertools import accumulate
-from typing import TypeAlias, overload
+from typing import TypeAlias
 
 import numpy as np
 
 from rapidsim.controller.journal.events import ExecutedLine
 from rapidsim.frames.transform import Array
 from rapidsim.language.moves import AnnouncedTargets, Place
+from rapidsim.row_sequence import RowSequence
 from rapidsim.values import value_class
 
 DatedPlace: TypeAlias = tuple[float, Place]
@@ -19,7 +20,7 @@ DatedPlace: TypeAlias = tuple[float, Place]
 
 
 @value_class(frozen=True, slots=True, eq=False)
-class DatedRows(Sequence[DatedPlace]):
+class DatedRows(RowSequence[DatedPlace]):
     """Successive statements (k,) with announced targets."""
 
     times: Array
@@ -30,15 +31,8 @@ class DatedRows(Sequence[DatedPlace]):
     def __len__(self) -> int:
         return len(self.times)
 
-    @overload
-    def __getitem__(self, at: int) -> DatedPlace: ...
-    @overload
-    def __getitem__(self, at: slice) -> Sequence[DatedPlace]: ...
-
-    def __getitem__(self, at: int | slice) -> DatedPlace | Sequence[DatedPlace]:
-        if isinstance(at, slice):
-            return tuple(map(self.__getitem__, range(len(self))[at]))
-        return float(self.times[at]), self.targets.place(self.first + range(len(self))[at])
+    def _element(self, row: int) -> DatedPlace:
+        return float(self.times[row]), self.targets.place(self.first + row)
 
 
 def in_parts(lines: Sequence[DatedPlace]) -> Iterator[Sequence[DatedPlace]]:
@@ -60,7 +54,7 @@ def _is_next(before: Place, after: Place) -> bool:
     return one.targets is other.targets and other.number == one.number + 1
 
 
-class ExecutedLines(Sequence[ExecutedLine]):
+class ExecutedLines(RowSequence[ExecutedLine]):
     """Statements of a task in order of time; each is created when it is needed."""
 
     __slots__ = ("_begins", "_order", "_parts", "_task", "times")
@@ -82,16 +76,8 @@ class ExecutedLines(Sequence[ExecutedLine]):
         """Number of statements."""
         return len(self.times)
 
-    @overload
-    def __getitem__(self, at: int) -> ExecutedLine: ...
-    @overload
-    def __getitem__(self, at: slice) -> Sequence[ExecutedLine]: ...
-
-    def __getitem__(self, at: int | slice) -> ExecutedLine | Sequence[ExecutedLine]:
-        """Return a statement, or those of a slice."""
-        if isinstance(at, slice):
-            return tuple(map(self.__getitem__, range(len(self))[at]))
-        number = int(self._order[at])
+    def _element(self, row: int) -> ExecutedLine:
+        number = int(self._order[row])
         part = bisect_right(self._begins, number) - 1
         time_s, place = self._parts[part][number - self._begins[part]]
         return ExecutedLine(time_s, self._task, place)

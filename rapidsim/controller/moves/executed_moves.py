@@ -8,7 +8,7 @@ from dataclasses import replace
 from functools import cached_property
 from itertools import accumulate, chain
 from operator import attrgetter
-from typing import TypeAlias, TypeVar, overload
+from typing import TypeAlias, TypeVar
 
 import numpy as np
 import numpy.typing as npt
@@ -19,6 +19,7 @@ from rapidsim.controller.moves.settled_lines import SettledLines
 from rapidsim.diagnostics import Source
 from rapidsim.frames.transform import Array
 from rapidsim.language.moves import Move, Place
+from rapidsim.row_sequence import RowSequence
 from rapidsim.values import value_class
 
 Index = npt.NDArray[np.int64]
@@ -31,7 +32,7 @@ Part: TypeAlias = Sequence[MoveRow]
 Value = TypeVar("Value")
 
 
-class MoveRows(Sequence[MoveRow]):
+class MoveRows(RowSequence[MoveRow]):
     """Moves in parts, of which some are columns; each of theirs is created when it is needed."""
 
     __slots__ = ("_begins", "parts")
@@ -49,18 +50,9 @@ class MoveRows(Sequence[MoveRow]):
         """Iterate over the moves."""
         return chain.from_iterable(self.parts)
 
-    @overload
-    def __getitem__(self, at: int) -> MoveRow: ...
-    @overload
-    def __getitem__(self, at: slice) -> Sequence[MoveRow]: ...
-
-    def __getitem__(self, at: int | slice) -> MoveRow | Sequence[MoveRow]:
-        """Return a move, or those of a slice."""
-        if isinstance(at, slice):
-            return tuple(map(self.__getitem__, range(len(self))[at]))
-        number = range(len(self))[at]
-        part = bisect_right(self._begins, number) - 1
-        return self.parts[part][number - self._begins[part]]
+    def _element(self, row: int) -> MoveRow:
+        part = bisect_right(self._begins, row) - 1
+        return self.parts[part][row - self._begins[part]]
 
     def values(
         self,
@@ -87,7 +79,7 @@ class MoveRows(Sequence[MoveRow]):
         return np.concatenate(columns) if columns else np.zeros(0)
 
 
-class RowValues(Sequence[Value]):
+class RowValues(RowSequence[Value]):
     """A value of each move, created when it is needed."""
 
     __slots__ = ("_of_line", "_of_row", "_rows")
@@ -113,16 +105,8 @@ class RowValues(Sequence[Value]):
             else:
                 yield from map(self._of_row, part)
 
-    @overload
-    def __getitem__(self, at: int) -> Value: ...
-    @overload
-    def __getitem__(self, at: slice) -> Sequence[Value]: ...
-
-    def __getitem__(self, at: int | slice) -> Value | Sequence[Value]:
-        """Return the value of a move, or those of a slice."""
-        if isinstance(at, slice):
-            return tuple(map(self.__getitem__, range(len(self))[at]))
-        return self._of_row(self._rows[at])
+    def _element(self, row: int) -> Value:
+        return self._of_row(self._rows[row])
 
 
 @value_class(frozen=True, eq=False)
@@ -205,7 +189,7 @@ class MoveColumns:
         return np.array([move.speed.v_tcp for move in self.templates])
 
 
-class ExecutedMoves(Sequence[ExecutedMove]):
+class ExecutedMoves(RowSequence[ExecutedMove]):
     """Moves in order; each is made anew when it is asked for."""
 
     __slots__ = ("columns",)
@@ -218,21 +202,13 @@ class ExecutedMoves(Sequence[ExecutedMove]):
         """Number of moves."""
         return len(self.columns.rows)
 
-    @overload
-    def __getitem__(self, at: int) -> ExecutedMove: ...
-    @overload
-    def __getitem__(self, at: slice) -> tuple[ExecutedMove, ...]: ...
-
-    def __getitem__(self, at: int | slice) -> ExecutedMove | tuple[ExecutedMove, ...]:
-        """Return the move of a row, or those of a slice."""
-        if isinstance(at, slice):
-            return tuple(map(self.__getitem__, range(len(self))[at]))
-        columns, row = self.columns, self.columns.rows[at]
-        index = int(columns.index[at])
-        if isinstance(row, ExecutedMove):
-            return row if row.index == index else replace(row, index=index)
-        start_s, end_s = float(columns.start_s[at]), float(columns.end_s[at])
-        return executed_move(index, columns.tasks[at], row, start_s, end_s)
+    def _element(self, row: int) -> ExecutedMove:
+        columns, move = self.columns, self.columns.rows[row]
+        index = int(columns.index[row])
+        if isinstance(move, ExecutedMove):
+            return move if move.index == index else replace(move, index=index)
+        start_s, end_s = float(columns.start_s[row]), float(columns.end_s[row])
+        return executed_move(index, columns.tasks[row], move, start_s, end_s)
 
 
 def moves_of(moves: Iterable[ExecutedMove]) -> ExecutedMoves:

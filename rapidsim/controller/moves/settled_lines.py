@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from operator import attrgetter
-from typing import overload
 
 import numpy as np
 import numpy.typing as npt
@@ -15,6 +14,7 @@ from rapidsim.controller.moves.line_rows import LineRow, LineRows
 from rapidsim.controller.moves.queued_move import QueuedMove
 from rapidsim.frames.transform import Array
 from rapidsim.language.moves import Move, Place
+from rapidsim.row_sequence import RowSequence
 from rapidsim.values import value_class
 
 _FEWEST = 8
@@ -24,7 +24,7 @@ _Small = npt.NDArray[np.int16]
 
 
 @value_class(frozen=True, slots=True, eq=False)
-class SettledLines(Sequence[QueuedMove]):
+class SettledLines(RowSequence[QueuedMove]):
     """Successive lines (k,); each move is created when it is needed."""
 
     rows: LineRows
@@ -50,37 +50,25 @@ class SettledLines(Sequence[QueuedMove]):
         """Return the number of lines."""
         return len(self.corner)
 
-    def __iter__(self) -> Iterator[QueuedMove]:
-        """Iterate over the moves."""
-        return map(self.__getitem__, range(len(self)))
-
-    @overload
-    def __getitem__(self, at: int) -> QueuedMove: ...
-    @overload
-    def __getitem__(self, at: slice) -> Sequence[QueuedMove]: ...
-
-    def __getitem__(self, at: int | slice) -> QueuedMove | Sequence[QueuedMove]:
-        """Return a move, or those of a slice."""
-        if isinstance(at, slice):
-            return tuple(map(self.__getitem__, range(len(self))[at]))
-        rows, row = self.rows, self.begin + range(len(self))[at]
-        segment = rows.segment(row)
+    def _element(self, row: int) -> QueuedMove:
+        rows, line = self.rows, self.begin + row
+        segment = rows.segment(line)
         return QueuedMove(
-            LineRow(rows, row, segment),
+            LineRow(rows, line, segment),
             segment,
-            Instant(float(self.started_s[at])),
-            _KINDS[self.corner[at]],
+            Instant(float(self.started_s[row])),
+            _KINDS[self.corner[row]],
             segment.end.base_from_tcp,
             segment.tcp_from_flange,
             rows.grip_load_kg,
-            number=self.number + range(len(self))[at],
+            number=self.number + row,
             level=self.level,
-            corner_reason=self.reasons[self.reason[at]],
-            zone_m=float(self.zone_m[at]),
-            start_place_m=float(self.start_place_m[at]),
-            end_place_m=float(self.end_place_m[at]),
-            length_m=float(self.length_m[at]),
-            ended_s=float(self.ended_s[at]),
+            corner_reason=self.reasons[self.reason[row]],
+            zone_m=float(self.zone_m[row]),
+            start_place_m=float(self.start_place_m[row]),
+            end_place_m=float(self.end_place_m[row]),
+            length_m=float(self.length_m[row]),
+            ended_s=float(self.ended_s[row]),
         )
 
     @property

@@ -15,6 +15,7 @@ from rapidsim.language.controller import Motion
 from rapidsim.language.data import ConfData, ExtJoint, Orient, Pos, RobTarget
 from rapidsim.language.moves import AnnouncedRow, Place
 from rapidsim.syntax import tree
+from rapidsim.syntax.tree.bulk_statements import EXTAX, ROBCONF, ROT, TRANS
 from rapidsim.values import value_class
 
 if TYPE_CHECKING:
@@ -25,10 +26,10 @@ ROW = "_row"
 _AT_ONCE = 1000
 """Number of rows that are converted to objects together."""
 _PARTS: tuple[tuple[slice, Any], ...] = (
-    (slice(0, 3), Pos),
-    (slice(3, 7), Orient),
-    (slice(7, 11), ConfData),
-    (slice(11, 17), ExtJoint),
+    (TRANS, Pos),
+    (ROT, Orient),
+    (ROBCONF, ConfData),
+    (EXTAX, ExtJoint),
 )
 
 

@@ -261,9 +261,6 @@ def standing_at(
         joints: Joints of each row.
         external: External axes of each row.
     """
-    if len(which) == 1:
-        placed = placements[int(which[0])]
-        return placed.standing_at(kinematics, joints[0], external[0], at_start=True)[None]
     tcp_from_flange = Transform.stacked([one.tcp_from_flange for one in placements])
     carriers = tuple(one.carrier for one in placements)
     arms = JointMapper(kinematics, np.arange(len(placements)), tcp_from_flange, carriers)

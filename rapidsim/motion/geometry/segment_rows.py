@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import field, replace
-from typing import Any, overload
+from typing import Any
 
 import numpy as np
 import numpy.typing as npt
@@ -12,6 +12,7 @@ import numpy.typing as npt
 from rapidsim.frames.transform import Array, Transform
 from rapidsim.motion.geometry.segments import Segment, Waypoint
 from rapidsim.repeated_rows import Index
+from rapidsim.row_sequence import RowSequence
 from rapidsim.values import value_class
 
 
@@ -42,7 +43,7 @@ class WaypointRows:
 
 
 @value_class(frozen=True, slots=True, eq=False)
-class SegmentRows(Sequence[Segment]):
+class SegmentRows(RowSequence[Segment]):
     """Segments (m,); each is created when it is needed."""
 
     kinds: Sequence[Segment]
@@ -58,16 +59,7 @@ class SegmentRows(Sequence[Segment]):
         """Return the number of segments."""
         return len(self.kind)
 
-    @overload
-    def __getitem__(self, at: int) -> Segment: ...
-    @overload
-    def __getitem__(self, at: slice) -> Sequence[Segment]: ...
-
-    def __getitem__(self, at: int | slice) -> Segment | Sequence[Segment]:
-        """Return a segment, or those of a slice."""
-        if isinstance(at, slice):
-            return [self[row] for row in range(len(self))[at]]
-        row = range(len(self))[at]
+    def _element(self, row: int) -> Segment:
         like = self.kinds[int(self.kind[row])]
         start, end = self.start[row], self.end[row]
         return replace(like, start=start, end=end, branch=int(self.branch[row]))

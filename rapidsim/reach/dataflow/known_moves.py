@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from itertools import chain
-from typing import Any, overload
+from typing import Any
 
 import numpy as np
 import numpy.typing as npt
@@ -18,13 +18,11 @@ from rapidsim.language.data import RobTarget
 from rapidsim.language.moves import MotionSettings, Move
 from rapidsim.reach.dataflow.move_instructions import MoveInstructions, MoveStatement
 from rapidsim.repeated_rows import Index, repeated
+from rapidsim.row_sequence import RowSequence
 from rapidsim.syntax import tree
 from rapidsim.syntax.bulk_rows import statement_of
-from rapidsim.syntax.bulk_statements import TARGET_SHAPE
+from rapidsim.syntax.tree.bulk_statements import EXTAX, TARGET_WIDTH
 from rapidsim.values import value_class
-
-_WIDTH = sum(TARGET_SHAPE)
-_EXTAX = TARGET_SHAPE[-1]
 
 
 @value_class(frozen=True, slots=True, eq=False)
@@ -58,7 +56,7 @@ class KnownMove:
 
 
 @dataclass(frozen=True, eq=False)
-class KnownMoves(Sequence[KnownMove]):
+class KnownMoves(RowSequence[KnownMove]):
     """Known moves (k,) as columns; each move is created when it is needed.
 
     A move in the tree may be followed by those of bulk statements, which differ from it only in
@@ -83,16 +81,7 @@ class KnownMoves(Sequence[KnownMove]):
         """Return the number of moves."""
         return int(self.counts.sum())
 
-    @overload
-    def __getitem__(self, at: int) -> KnownMove: ...
-    @overload
-    def __getitem__(self, at: slice) -> Sequence[KnownMove]: ...
-
-    def __getitem__(self, at: int | slice) -> KnownMove | Sequence[KnownMove]:
-        """Return a move, or those of a slice."""
-        if isinstance(at, slice):
-            return [self[row] for row in range(len(self))[at]]
-        row = range(len(self))[at]
+    def _element(self, row: int) -> KnownMove:
         of = int(self.tree_row[row])
         known = self.of_tree[of]
         if row == self._begins[of]:
@@ -102,10 +91,6 @@ class KnownMoves(Sequence[KnownMove]):
         return replace(
             known, call=call, move=replace(known.move, to=target), previous=row - 1, begins=False
         )
-
-    def __iter__(self) -> Iterator[KnownMove]:
-        """Iterate over the moves."""
-        return map(self.__getitem__, range(len(self)))
 
     @cached_property
     def _begins(self) -> Index:
@@ -150,6 +135,14 @@ class KnownMoves(Sequence[KnownMove]):
         found: npt.NDArray[Any] = of_tree[self.tree_row]
         return found
 
+    def each_of(self, rows: Index, fact: Callable[[KnownMove], bool]) -> npt.NDArray[np.bool_]:
+        """Return what `each` does, for some rows (m,)."""
+        of_tree, which = np.unique(self.tree_row[rows], return_inverse=True)
+        found: npt.NDArray[np.bool_] = np.array(
+            [fact(self.of_tree[one]) for one in of_tree.tolist()], dtype=bool
+        )[which]
+        return found
+
     def numbers(self, rows: Index | slice) -> Array:
         """Return the numbers (m, 17) of the targets of rows; of axis positions only `extax`."""
         numbers: Array = self._numbers_of_tree[self.tree_row[rows]]
@@ -160,7 +153,9 @@ class KnownMoves(Sequence[KnownMove]):
 
     @cached_property
     def _numbers_of_tree(self) -> Array:
-        return np.array([_numbers(known) for known in self.of_tree]).reshape(-1, _WIDTH)
+        return np.array([numbers_of(known.move) for known in self.of_tree]).reshape(
+            -1, TARGET_WIDTH
+        )
 
     def followed_by(self, moves: Sequence[KnownMove], number: Sequence[int]) -> KnownMoves:
         """Return these moves and others of the program, by the numbers of their instructions."""
@@ -172,11 +167,11 @@ class KnownMoves(Sequence[KnownMove]):
         )
 
 
-def _numbers(known_move: KnownMove) -> list[float]:
-    to = known_move.move.to
-    if isinstance(to, RobTarget):
-        return list(chain(*to))
-    return [np.nan] * (_WIDTH - _EXTAX) + list(to.extax)
+def numbers_of(move: Move) -> list[float]:
+    """Return the numbers (17,) of the target of a move; of axis positions only `extax`."""
+    if isinstance(move.to, RobTarget):
+        return list(chain(*move.to))
+    return [np.nan] * EXTAX.start + list(move.to.extax)
 
 
 @value_class(frozen=True, slots=True, eq=False)

@@ -2,17 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence, Set
+from collections.abc import Iterator, Mapping, Set
 from dataclasses import dataclass
 from functools import cached_property
-from typing import TYPE_CHECKING, TypeAlias, overload
+from typing import TYPE_CHECKING, TypeAlias
 
 import numpy as np
 
 from rapidsim.analysis.program import Program
 from rapidsim.diagnostics import Span
 from rapidsim.repeated_rows import Index
+from rapidsim.row_sequence import RowSequence
 from rapidsim.syntax import tree
+from rapidsim.syntax.tree.bulk_statements import TARGET_WIDTH
 
 if TYPE_CHECKING:
     from rapidsim.syntax.tree.bulk_statements import Numbers
@@ -37,7 +39,7 @@ def in_tree(call: MoveStatement) -> tree.Call:
 
 
 @dataclass(frozen=True, eq=False)
-class MoveInstructions(Sequence[_Written]):
+class MoveInstructions(RowSequence[_Written]):
     """Move instructions with their modules, in order; each is created when it is needed."""
 
     of_tree: tuple[tuple[tree.Call, tree.Module], ...]
@@ -48,22 +50,13 @@ class MoveInstructions(Sequence[_Written]):
         """Return the number of instructions."""
         return int(self._firsts[-1])
 
-    @overload
-    def __getitem__(self, at: int) -> _Written: ...
-    @overload
-    def __getitem__(self, at: slice) -> Sequence[_Written]: ...
-
-    def __getitem__(self, at: int | slice) -> _Written | Sequence[_Written]:
-        """Return an instruction, or those of a slice."""
-        if isinstance(at, slice):
-            return [self[number] for number in range(len(self))[at]]
-        number = range(len(self))[at]
-        of = int(self._firsts.searchsorted(number, "right")) - 1
+    def _element(self, row: int) -> _Written:
+        of = int(self._firsts.searchsorted(row, "right")) - 1
         call, module = self.of_tree[of]
-        row = number - int(self._firsts[of]) - 1
-        if row < 0:
+        behind = row - int(self._firsts[of]) - 1
+        if behind < 0:
             return call, module
-        return next(self.runs[call].rows(slice(row, row + 1))), module
+        return next(self.runs[call].rows(slice(behind, behind + 1))), module
 
     def __iter__(self) -> Iterator[_Written]:
         """Iterate over the instructions."""
@@ -128,4 +121,4 @@ class MoveInstructions(Sequence[_Written]):
         tables = [self.runs[call].numbers for call, _ in self.of_tree if call in self.runs]
         if len(tables) == 1:
             return tables[0]
-        return np.concatenate(tables) if tables else np.zeros((0, 17), dtype=np.float32)
+        return np.concatenate(tables) if tables else np.zeros((0, TARGET_WIDTH), dtype=np.float32)

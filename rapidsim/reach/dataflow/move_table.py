@@ -4,14 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Sequence, Set
 from dataclasses import dataclass, field
-from itertools import chain
 
 import numpy as np
 
 from rapidsim.analysis.program import RoutineSymbol
 from rapidsim.language.data import JointTarget
 from rapidsim.language.moves import Move
-from rapidsim.reach.dataflow.known_moves import KnownMove, KnownMoves
+from rapidsim.reach.dataflow.known_moves import KnownMove, KnownMoves, numbers_of
 from rapidsim.reach.dataflow.motion_settings import DISPLACEMENTS, KnownSettings
 from rapidsim.reach.dataflow.move_instructions import MoveInstructions
 from rapidsim.reach.dataflow.state import BEGINNING
@@ -90,8 +89,7 @@ class MoveTable:
 
 def _is_as_written(move: Move, run: tree.BulkStatements) -> bool:
     """Whether the target of the move before bulk statements is that of its text."""
-    went = np.array(list(chain(*move.to)))
-    return move.programmed is None and np.array_equal(run.numbers_of_like, went)
+    return move.programmed is None and np.array_equal(run.numbers_of_like, numbers_of(move))
 
 
 def reason_unknown(instruction: str, moves: Sequence[Move], uncertain: Set[str]) -> str | None:

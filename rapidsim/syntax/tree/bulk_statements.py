@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from itertools import repeat
+from itertools import accumulate, pairwise, repeat
 from typing import TYPE_CHECKING, Any, TypeAlias
 
 from rapidsim.syntax.tree.expressions import Node, node
@@ -15,6 +15,14 @@ if TYPE_CHECKING:
 
     Numbers: TypeAlias = NDArray[np.floating[Any]]
     Offsets: TypeAlias = NDArray[np.int64]
+
+TARGET_SHAPE = (3, 4, 4, 6)
+"""Numbers in the parts of a target: position, orientation, configuration, external axes."""
+TARGET_WIDTH = sum(TARGET_SHAPE)
+TRANS, ROT, ROBCONF, EXTAX = (
+    slice(first, stop) for first, stop in pairwise(accumulate(TARGET_SHAPE, initial=0))
+)
+"""Places of these parts among the numbers of a target."""
 
 
 @node

@@ -14,6 +14,7 @@ from rapidsim.diagnostics import Diagnostic, Edit, Fix
 from rapidsim.language.target_violations import TOLERATED_NORM_ERROR, QuaternionNotUnit
 from rapidsim.language.types import ArrayOf, Record, Type, resolved
 from rapidsim.syntax import tree
+from rapidsim.syntax.tree.bulk_statements import ROT
 
 if TYPE_CHECKING:
     from rapidsim.syntax.bulk_reading import Mask
@@ -25,7 +26,7 @@ _TYPO = 0.1
 
 def have_unit_length(targets: Numbers) -> Mask:
     """Return which targets (k,) of numbers (k, 17) have orientations of length 1, by a margin."""
-    length = (targets[:, 3:7] ** 2).sum(axis=1) ** 0.5
+    length = (targets[:, ROT] ** 2).sum(axis=1) ** 0.5
     good: Mask = abs(length - 1.0) <= 0.9 * TOLERATED_NORM_ERROR
     return good
 

@@ -10,6 +10,7 @@ from rapidsim.analysis.rules.facts.known_values import Value, known_value, numbe
 from rapidsim.analysis.rules.facts.written_numbers import part_span
 from rapidsim.diagnostics import Diagnostic, Related, Violation
 from rapidsim.syntax import tree
+from rapidsim.syntax.tree.bulk_statements import EXTAX, ROBCONF
 from rapidsim.values import value_class
 
 if TYPE_CHECKING:
@@ -61,14 +62,15 @@ _AxisUses: TypeAlias = "dict[tuple[int, bool], list[_Target]]"
 
 def have_equal_axes(targets: Numbers) -> Mask:
     """Return which targets (k,) of numbers (k, 17) have the external axes of the first."""
-    equal: Mask = (targets[:, 11:] == targets[0, 11:]).all(axis=1)
+    equal: Mask = (targets[:, EXTAX] == targets[0, EXTAX]).all(axis=1)
     return equal
 
 
 def have_good_confdata(targets: Numbers) -> Mask:
     """Return which targets (k,) of numbers (k, 17) have valid configuration data of six axes."""
-    turns, branch = targets[:, 7:10], targets[:, 10]
-    good: Mask = (targets[:, 7:11] % 1.0 == 0.0).all(axis=1)
+    confdata = targets[:, ROBCONF]
+    turns, branch = confdata[:, :3], confdata[:, 3]
+    good: Mask = (confdata % 1.0 == 0.0).all(axis=1)
     good &= (abs(turns) <= _QUARTERS).all(axis=1) & (branch >= 0.0) & (branch <= _LAST_BRANCH)
     return good
 

@@ -21,6 +21,7 @@ from rapidsim.diagnostics import Diagnostic, Related, Severity, Violation
 from rapidsim.library.predefined import DATA
 from rapidsim.library.traits import Trait
 from rapidsim.syntax import tree
+from rapidsim.syntax.tree.bulk_statements import TRANS
 
 if TYPE_CHECKING:
     from rapidsim.syntax.bulk_reading import Mask
@@ -65,7 +66,7 @@ class MetresOrRadians(Violation, code="M516"):
 
 def are_away_from_base(targets: Numbers) -> Mask:
     """Return which targets (k,) of numbers (k, 17) are written in mm, by a margin."""
-    distance_mm = (targets[:, :3] ** 2).sum(axis=1) ** 0.5
+    distance_mm = (targets[:, TRANS] ** 2).sum(axis=1) ** 0.5
     away: Mask = distance_mm >= 1.01 * _NEAREST_TARGET_MM
     return away
 
