@@ -1,5 +1,6 @@
 """A run that is cut off says where the program was."""
 
+from collections import deque
 from dataclasses import replace
 from threading import Thread
 from time import monotonic
@@ -11,6 +12,7 @@ import pytest
 from rapidsim.analysis.passes.checker import check
 from rapidsim.controller import task_moves
 from rapidsim.controller.cell.watchdog import Watchdog
+from rapidsim.controller.journal.journal import Journal
 from rapidsim.controller.journal.stop_reasons import WallLimitReached
 from rapidsim.diagnostics import Source
 from rapidsim.motion import numba_jit
@@ -95,6 +97,15 @@ def test_a_run_cut_off_by_the_computers_clock_is_drawn_to_its_end() -> None:
     margin = figures(cut).joint_margin
     assert margin is not None
     assert margin.time_s < 7.0
+
+
+def test_many_moves_end_a_run_earlier_because_they_must_still_be_reported() -> None:
+    journal = Journal("T_ROB1", moves_given=1_000_000)
+    watchdog = Watchdog(100.0, lambda: journal.noted)
+    with pytest.raises(WallLimitReached):
+        deque(iter(watchdog.check, NotImplemented), 0)
+    # Without the moves, nothing would have ended the run so early.
+    assert watchdog.left_s > 0.0
 
 
 def test_numba_is_not_interrupted_while_it_compiles() -> None:

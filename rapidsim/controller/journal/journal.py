@@ -36,6 +36,8 @@ from rapidsim.language.error_answers import AnsweredError, answer_text, error_fa
 from rapidsim.language.moves import AnnouncedTargets, Place
 from rapidsim.values import value_class
 
+ITEMS_OF_A_MOVE = 8
+"""Items that take as long to date and write as a move, with its part of the figures of a run."""
 MOST_EVENTS = 1_000_000
 """Maximum number of events of a run: an endless loop that writes would exhaust the memory."""
 
@@ -187,8 +189,9 @@ class Journal:
 
     @property
     def noted(self) -> int:
-        """The number of events of the cell and statements of this task so far."""
-        return len(self._events) + self._settled_lines + sum(one.size for one in self._lines)
+        """The number of events of the cell and statements of this task so far; moves count more."""
+        statements = self._settled_lines + sum(one.size for one in self._lines)
+        return len(self._events) + statements + ITEMS_OF_A_MOVE * self.moves_given
 
     def undated(self, begin: int) -> tuple[Event, ...]:
         """The events of the cell from a position on; their times may be unknown, and are NaN."""

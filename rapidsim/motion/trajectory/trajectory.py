@@ -240,15 +240,15 @@ class Trajectory:
     def travelled_m(self) -> float:
         """TCP travel [m] of the whole run, with corners cut."""
         row = np.arange(1, self.command.last_row + 1)
-        way = self.command.increases(row)
-        return float(np.sum(self._travelled(row, way) - self._travelled(row, 0.0 * way)))
+        return self._travelled(row, np.zeros(len(row)), self.command.increases(row))
 
-    def _travelled(self, row: Index, arc_length: Array) -> Array:
-        """Return the TCP travel (k,) [m] on the paths of rows, up to distances (k,) [m] in them."""
-        travel = np.empty(len(row))
-        for path, s, at, _ in self.command.on_paths(row, arc_length):
+    def _travelled(self, row: Index, since: Array, until: Array) -> float:
+        """Return the TCP travel [m] on the paths of rows (k,), from distances in them to others."""
+        travel = np.empty(2 * len(row))
+        for path, s, at, _ in self.command.on_paths(np.tile(row, 2), np.append(since, until)):
             travel[at] = path.travelled(s)
-        return travel
+        begin, end = np.split(travel, 2)
+        return float(np.sum(end - begin))
 
     def mark(self, time_s: float) -> Mark:
         """Return the mark of a time [s]: a place, for a move may begin before it is issued."""
@@ -276,7 +276,7 @@ class Trajectory:
         row = np.arange(begin, end + 1)
         until, since = self.command.increases(row), np.zeros(len(row))
         until[-1], since[0] = until_m, since_m
-        return float(np.sum(self._travelled(row, until) - self._travelled(row, since)))
+        return self._travelled(row, since, until)
 
     def at(self, times: Array, *, coarse: bool = False) -> Samples:
         """Return the arm at some instants (k,) [s], in any order.
