@@ -19,6 +19,7 @@ from rapidsim.controller.journal.stop_reasons import (
     TimeLimitReached,
     TrapStorm,
     WaitsForever,
+    WallLimitReached,
     ZoneReached,
 )
 from rapidsim.controller.moves.queued_move import MotionError
@@ -215,16 +216,22 @@ def run_to_end(
     """
     task: Task | None = None
     try:
-        task = load()
-        # Traps and procedures of the path also run while the arm comes to rest.
-        with running():
-            end = _run_cycles(task, run, options)
-            while not _came_to_rest(run.controller):
-                pass
-        outcome = TaskOutcome(end, task=task)
-    except (FatalError, MotionError, Stopped) as error:
-        outcome = replace(outcome_of(error, run, other_waits), task=task)
-    run.controller.motion.end_with_the_run()
+        try:
+            task = load()
+            # Traps and procedures of the path also run while the arm comes to rest.
+            with running():
+                end = _run_cycles(task, run, options)
+                while not _came_to_rest(run.controller):
+                    pass
+            outcome = TaskOutcome(end, task=task)
+        except (FatalError, MotionError, Stopped) as error:
+            outcome = replace(outcome_of(error, run, other_waits), task=task)
+        run.controller.motion.end_with_the_run()
+    except WallLimitReached as over:
+        # Its limit reached the run at its end: what is left takes no time.
+        run.controller.motion.cell.watchdog.rest()
+        outcome = replace(outcome_of(over, run, other_waits), task=task)
+        run.controller.motion.end_with_the_run()
     return outcome
 
 

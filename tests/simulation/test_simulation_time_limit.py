@@ -20,6 +20,7 @@ from rapidsim.motion.numba_jit import COMPILING
 from rapidsim.motion.robot.robot import load_robot
 from rapidsim.motion.timing import two_pass_loops
 from rapidsim.report.run.figures import figures
+from rapidsim.simulation import task_run
 from rapidsim.simulation.options import RunOptions
 from rapidsim.simulation.results.simulation import End
 from rapidsim.simulation.simulate import simulate
@@ -97,6 +98,29 @@ def test_a_run_cut_off_by_the_computers_clock_is_drawn_to_its_end() -> None:
     margin = figures(cut).joint_margin
     assert margin is not None
     assert margin.time_s < 7.0
+
+
+@pytest.mark.parametrize("work", ["fatal_finding", "impossible_move_finding", "motion_finding"])
+def test_a_limit_that_comes_while_the_end_is_worked_out_ends_the_run(
+    work: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    # Behind the error handling of a thousand calls, the clock did so between error and result.
+    statement = {
+        "fatal_finding": "n:=1/0*n;",
+        "impossible_move_finding": "MoveJ Offs(p,9000,0,0),v500,fine,tool0;",
+        "motion_finding": "MoveL Offs(p,-1600,0,0),v500,fine,tool0;",
+    }[work]
+
+    def interrupted(*_: object) -> None:
+        raise WallLimitReached("the run was cut off")
+
+    monkeypatch.setattr(task_run, work, interrupted)
+    source = Source("ends.mod", TEXT.format(body=statement))
+    program = check((parse(source).file,)).program
+    assert program is not None
+    run = simulate(program, load_robot("irb1600"), options=RunOptions())
+    assert run.end is End.TIME_LIMIT
+    assert run.diagnostics[-1].violation.code == "R109"
 
 
 def test_many_moves_end_a_run_earlier_because_they_must_still_be_reported() -> None:
