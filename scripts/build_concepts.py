@@ -26,6 +26,7 @@ from PIL.PngImagePlugin import PngInfo
 import rapidsim
 from rapidsim.api.run import Run
 from rapidsim.applications.kin.kin_steps import solved_postures
+from rapidsim.colours import LIGHT
 from rapidsim.frames.euler import Convention, rotation_from_euler
 from rapidsim.frames.transform import Array, Transform
 from rapidsim.language.moves import Place
@@ -34,7 +35,8 @@ from rapidsim.motion.configurations.postures import Postures
 from rapidsim.plots.frames_picture import frames_picture
 from rapidsim.plots.posture_pictures import pose_picture
 from rapidsim.plots.sampled_run import sample_run
-from rapidsim.plots.theme import LIGHT, mark_start, new_figure, themed
+from rapidsim.plots.theme import mark_start, new_figure, themed
+from rapidsim.simulation.results.move_kinds import MOVE_KINDS
 
 ROOT = Path(__file__).parents[1]
 DOCS = ROOT / "docs"
@@ -117,8 +119,8 @@ def pointer() -> Figure:
     lines = [(line.time_s, _statement(line.place)) for line in one.lines]
     ends = [*(start for start, _ in lines[1:]), run.time_s]
     program = [(start, end, word) for (start, word), end in zip(lines, ends, strict=True)]
-    _lane(lanes, 0.0, [bar for bar in program if bar[1] - bar[0] > 0.05], LIGHT.bar)
-    _lane(lanes, -0.8, robot, LIGHT.moves[one.moves[-1].move.interpolation])
+    _lane(lanes, 0.0, [bar for bar in program if bar[1] - bar[0] > 0.05], LIGHT.accent)
+    _lane(lanes, -0.8, robot, LIGHT.moves[MOVE_KINDS[one.moves[-1].move.interpolation]])
     lanes.set_yticks([0.0, -0.8], ["program\npointer", "robot"])
     lanes.set_ylim(-1.2, 1.05)
     lanes.set_xlabel("time [s]")
@@ -139,7 +141,7 @@ def _statement(place: Place) -> str:
 
 def _lane(axes: Axes, y: float, bars: Sequence[tuple[float, float, str]], colour: str) -> None:
     for start, end, words in bars:
-        axes.barh(y, end - start, left=start, height=0.5, color=colour, edgecolor=LIGHT.page)
+        axes.barh(y, end - start, left=start, height=0.5, color=colour, edgecolor=LIGHT.panel)
         axes.text((start + end) / 2, y, words, ha="center", va="center", color="white", fontsize=8)
 
 

@@ -8,11 +8,12 @@ from matplotlib.figure import Figure
 from matplotlib.ticker import MaxNLocator
 from mpl_toolkits.mplot3d.axes3d import Axes3D
 
+from rapidsim.colours import Colours
 from rapidsim.frames.transform import Array, Transform
 from rapidsim.motion.robot.robot import Robot
 from rapidsim.plots.sampled_run import title_of
 from rapidsim.plots.stick_arm import MM, as_cube, draw_floor, draw_stick, stick
-from rapidsim.plots.theme import Theme, new_figure
+from rapidsim.plots.theme import new_figure
 from rapidsim.simulation.results.sampling import SampledRun
 
 _AXES = ("x [mm]", "y [mm]", "z [mm]")
@@ -22,7 +23,7 @@ _ZOOM = 0.93
 """Zoom of the 3D view, so that its labels do not overlap the next view."""
 
 
-def arm_picture(run: SampledRun, theme: Theme) -> Figure:
+def arm_picture(run: SampledRun, theme: Colours) -> Figure:
     """Draw the robot of a run, in its base frame."""
     first, last = run.robot_run.moves[0], run.robot_run.moves[-1]
     return arm_at_both_ends(
@@ -41,7 +42,7 @@ def arm_at_both_ends(
     tools: tuple[Transform, Transform],
     path: Array,
     title: str,
-    theme: Theme,
+    theme: Colours,
 ) -> Figure:
     """Draw both postures from three sides.
 
@@ -67,7 +68,7 @@ def arm_at_both_ends(
         axes.set_title(name)
         axes.plot(*path[:, shown].T, color=theme.tcp, linewidth=1.2, label="path of the TCP")
         for corners, colour, label in zip(
-            sticks, (theme.programmed, theme.bar), ("start", "end"), strict=True
+            sticks, (theme.programmed, theme.accent), ("start", "end"), strict=True
         ):
             draw_stick(axes, corners, colour, theme, shown, label)
         axes.set_xlabel(_AXES[shown[0]])

@@ -17,9 +17,9 @@ from matplotlib.path import Path
 from mpl_toolkits.mplot3d.art3d import Line3DCollection
 from mpl_toolkits.mplot3d.axes3d import Axes3D
 
+from rapidsim.colours import Colours
 from rapidsim.frames.transform import Array
 from rapidsim.plots.sampled_run import MM, number_of
-from rapidsim.plots.theme import Theme
 from rapidsim.simulation.results.relative_motion import is_on_track, shown_from_world
 from rapidsim.simulation.results.sampling import SampledRun
 from rapidsim.values import value_class
@@ -65,7 +65,7 @@ class CellOutline:
     """Points (c, 3) [mm] at which bodies begin to touch."""
 
 
-def cell_of(run: SampledRun, theme: Theme) -> CellOutline:
+def cell_of(run: SampledRun, theme: Colours) -> CellOutline:
     """Return the station's objects in the picture frame of a robot, and its contacts."""
     collisions = run.simulation.collisions
     if collisions is None:
@@ -77,7 +77,7 @@ def cell_of(run: SampledRun, theme: Theme) -> CellOutline:
     poses = collisions.scene.poses(np.array([0.0, run.end_s]))
     bodies: list[BodyOutline] = []
     for index, one, body in collisions.drawn_objects():
-        colour = theme.failed if body.label in hit else one.hex_colour
+        colour = theme.error if body.label in hit else one.hex_colour
         stands = picture_from_world @ poses.of(index)
         first, last = (MM * stands[at].apply(body.shape.vertices) for at in (0, 1))
         if body.exists(0.0):
@@ -114,7 +114,7 @@ def outlined(
     return BodyOutline(colour, vertices, faces, normals, sides[first], beside, is_sharp, is_later)
 
 
-def draw_cell(axes: Axes, cell: CellOutline, theme: Theme, view: tuple[int, int]) -> None:
+def draw_cell(axes: Axes, cell: CellOutline, theme: Colours, view: tuple[int, int]) -> None:
     """Draw a cell from a side, without changing the limits of the view."""
     towards = np.cross(np.eye(3)[view[0]], np.eye(3)[view[1]])
     for body in cell.bodies:
@@ -133,7 +133,7 @@ def draw_cell(axes: Axes, cell: CellOutline, theme: Theme, view: tuple[int, int]
     _mark_contacts(axes, cell.contacts[:, view], theme)
 
 
-def draw_cell_in_space(axes: Axes3D, cell: CellOutline, theme: Theme) -> None:
+def draw_cell_in_space(axes: Axes3D, cell: CellOutline, theme: Colours) -> None:
     """Draw the parts within the limits of the axes, as 3D axes do not clip."""
     box = np.array([axes.get_xlim(), axes.get_ylim(), axes.get_zlim()]).T
     for body in cell.bodies:
@@ -151,15 +151,15 @@ def grown(points: Array) -> Array:
     return np.stack([low - air, high + air])
 
 
-def _mark_contacts(axes: Axes, places: Array, theme: Theme) -> None:
+def _mark_contacts(axes: Axes, places: Array, theme: Colours) -> None:
     if len(places):
         axes.plot(
             *places.T,
             linestyle="none",
             marker="X",
             markersize=7,
-            color=theme.failed,
-            markeredgecolor=theme.page,
+            color=theme.error,
+            markeredgecolor=theme.panel,
             label="contact",
             zorder=5,
         )

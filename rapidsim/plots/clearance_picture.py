@@ -8,12 +8,13 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
+from rapidsim.colours import Colours
 from rapidsim.plots.sampled_run import MM, number_of, title_of
-from rapidsim.plots.theme import Theme, new_figure, time_axis
+from rapidsim.plots.theme import new_figure, time_axis
 from rapidsim.simulation.results.sampling import SampledRun
 
 
-def clearance_picture(run: SampledRun, theme: Theme) -> Figure | None:
+def clearance_picture(run: SampledRun, theme: Colours) -> Figure | None:
     """Draw the clearance of each move over its time, contacts at 0; None without any data.
 
     Moves without nearby bodies have no line.
@@ -33,15 +34,15 @@ def clearance_picture(run: SampledRun, theme: Theme) -> Figure | None:
     least |= dict.fromkeys(touched, 0.0)
     for move in run.robot_run.moves:
         if move.index in least:
-            colour = theme.failed if move.index in touched else theme.tcp
+            colour = theme.error if move.index in touched else theme.tcp
             end_s = max(move.end_s, move.start_s)
             axes.hlines(least[move.index], move.start_s, end_s, colour, linewidth=2.4)
     calm = [(one.time_s, least[move]) for move, one in nearest.items() if move not in touched]
     _draw_dots(axes, calm, theme.tcp)
-    _draw_dots(axes, [(one.time_s, 0.0) for one in hits], theme.failed)
+    _draw_dots(axes, [(one.time_s, 0.0) for one in hits], theme.error)
     if collisions.geometry.clearance_m:
         wanted = MM * collisions.geometry.clearance_m
-        axes.axhline(wanted, color=theme.limit, linestyle="--", linewidth=0.9)
+        axes.axhline(wanted, color=theme.error, linestyle="--", linewidth=0.9)
         axes.annotate("to keep", (run.end_s, wanted), va="bottom", ha="right", color=theme.soft)
     axes.set_ylim(bottom=-2.0 if hits else 0.0)
     axes.set_ylabel("nearest of the move [mm]")

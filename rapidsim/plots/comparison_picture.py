@@ -15,6 +15,7 @@ from matplotlib.artist import Artist
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure, SubFigure
 
+from rapidsim.colours import Colours
 from rapidsim.controller.moves.executed_move import ExecutedMove
 from rapidsim.controller.moves.motion_findings import fault_violation
 from rapidsim.frames.transform import Array
@@ -23,12 +24,13 @@ from rapidsim.language.moves import Interpolation
 from rapidsim.library.motion import PLAIN_MOVES
 from rapidsim.motion.geometry.segments import Segment
 from rapidsim.plots.sampled_run import MM, target_name, title_of
-from rapidsim.plots.theme import Theme, new_figure
+from rapidsim.plots.theme import new_figure
 from rapidsim.simulation.results.linear_alternative import (
     LinearAlternative,
     linear_alternative,
     segments_of,
 )
+from rapidsim.simulation.results.move_kinds import MOVE_KINDS
 from rapidsim.simulation.results.sampling import SampledRun
 from rapidsim.simulation.results.simulation import RobotRun
 from rapidsim.values import value_class
@@ -98,7 +100,7 @@ def compared_moves(run: SampledRun) -> tuple[ComparedMove, ...]:
     return tuple(sorted(kept, key=lambda one: one.move.index))
 
 
-def comparison_picture(run: SampledRun, theme: Theme) -> Figure | None:
+def comparison_picture(run: SampledRun, theme: Colours) -> Figure | None:
     """Draw both paths from two sides, and their distance; None if nothing moves far."""
     compared = compared_moves(run)
     if not compared:
@@ -115,7 +117,7 @@ def comparison_picture(run: SampledRun, theme: Theme) -> Figure | None:
     return figure
 
 
-def _draw_row(row: SubFigure, compared: ComparedMove, theme: Theme) -> None:
+def _draw_row(row: SubFigure, compared: ComparedMove, theme: Colours) -> None:
     move, line = compared.move, compared.line
     told = compared.reason or compared.remark
     heading = f"line {move.place.span.line}: {move.move.instruction} {target_name(move)}"
@@ -132,18 +134,18 @@ def _draw_row(row: SubFigure, compared: ComparedMove, theme: Theme) -> None:
         _draw_paths(axes, compared, theme, shown)
         axes.set_title(title)
     if told is not None:
-        colour = theme.failed if compared.reason else theme.soft
+        colour = theme.error if compared.reason else theme.soft
         row.text(0.015, 0.905, told, ha="left", va="top", fontsize=8.5, color=colour)
     distance = _off_the_line(compared.joint, line.start, line.end)
-    colour = theme.moves[Interpolation.JOINT]
+    colour = theme.moves[MOVE_KINDS[Interpolation.JOINT]]
     apart.plot(np.linspace(0.0, 100.0, _POINTS), distance, color=colour)
     own = _off_the_line(line.tcp, line.start, line.end)
     share = 100.0 * (1.0 if line.fault is None else line.fault.fraction)
-    own_colour = theme.moves[Interpolation.LINE]
+    own_colour = theme.moves[MOVE_KINDS[Interpolation.LINE]]
     apart.plot(np.linspace(0.0, share, len(own)), own, color=own_colour)
     if line.fault is not None:
         _mark_fault(apart, theme, [share], [0.0])
-        apart.plot([share, 100.0], [0.0, 0.0], color=theme.failed, linestyle="--", linewidth=1.0)
+        apart.plot([share, 100.0], [0.0, 0.0], color=theme.error, linestyle="--", linewidth=1.0)
     apart.set_title(f"MoveJ leaves the line by up to {distance.max():.1f} mm")
     apart.set_xlabel("way [%]")
     apart.set_ylabel("distance from the line [mm]")
@@ -151,14 +153,14 @@ def _draw_row(row: SubFigure, compared: ComparedMove, theme: Theme) -> None:
     apart.set_ylim(-0.03 * max(float(distance.max()), 1.0), None)
 
 
-def _draw_paths(axes: Axes, compared: ComparedMove, theme: Theme, view: tuple[int, int]) -> None:
+def _draw_paths(axes: Axes, compared: ComparedMove, theme: Colours, view: tuple[int, int]) -> None:
     line = compared.line
     for way, kind in ((compared.joint, Interpolation.JOINT), (line.tcp, Interpolation.LINE)):
         places = MM * way[:, view]
-        axes.plot(*places.T, color=theme.moves[kind], label=PLAIN_MOVES[kind])
+        axes.plot(*places.T, color=theme.moves[MOVE_KINDS[kind]], label=PLAIN_MOVES[kind])
     if line.fails_at is not None:
         rest = MM * np.stack([line.fails_at, line.end])[:, view]
-        axes.plot(*rest.T, color=theme.failed, linestyle="--", linewidth=1.0)
+        axes.plot(*rest.T, color=theme.error, linestyle="--", linewidth=1.0)
         _mark_fault(axes, theme, rest[:1, 0], rest[:1, 1])
     ends = MM * np.stack([line.start, line.end])[:, view]
     axes.plot(*ends[:1].T, "o", color=theme.ink, markersize=5, fillstyle="none", label="start")
@@ -169,14 +171,14 @@ def _draw_paths(axes: Axes, compared: ComparedMove, theme: Theme, view: tuple[in
 
 
 def _mark_fault(
-    axes: Axes, theme: Theme, x: Sequence[float] | Array, y: Sequence[float] | Array
+    axes: Axes, theme: Colours, x: Sequence[float] | Array, y: Sequence[float] | Array
 ) -> None:
     axes.plot(
         x,
         y,
         marker="x",
         linestyle="none",
-        color=theme.failed,
+        color=theme.error,
         markersize=8,
         markeredgewidth=2,
         label="MoveL fails",

@@ -10,12 +10,13 @@ from matplotlib.figure import Figure
 from matplotlib.ticker import MaxNLocator
 from mpl_toolkits.mplot3d.axes3d import Axes3D
 
+from rapidsim.colours import Colours
 from rapidsim.frames.transform import Array, unbroken
 from rapidsim.motion.waypoints.attitudes import AttitudeRates, attitude_rates
 from rapidsim.motion.waypoints.follow import FollowedTrajectory
 from rapidsim.plots.arm_picture import arm_at_both_ends
 from rapidsim.plots.stick_arm import MM, as_cube
-from rapidsim.plots.theme import Theme, mark_start, new_figure, time_axis, write_name
+from rapidsim.plots.theme import mark_start, new_figure, time_axis, write_name
 from rapidsim.plots.time_pictures import draw_joint, draw_quaternions
 from rapidsim.plots.write import write_pictures
 
@@ -56,7 +57,7 @@ def write_followed_plots(
     return write_pictures(pictures, folder)
 
 
-def path_picture(followed: FollowedTrajectory, name: str, theme: Theme) -> Figure:
+def path_picture(followed: FollowedTrajectory, name: str, theme: Colours) -> Figure:
     """Draw the points with their numbers, the lines between them, and the path of the TCP."""
     figure = new_figure(f"Way of the TCP: {name}", width=11.0, height=8.4)
     grid = figure.add_gridspec(2, 2)
@@ -88,7 +89,7 @@ def path_picture(followed: FollowedTrajectory, name: str, theme: Theme) -> Figur
     return figure
 
 
-def position_picture(followed: FollowedTrajectory, name: str, theme: Theme) -> Figure:
+def position_picture(followed: FollowedTrajectory, name: str, theme: Colours) -> Figure:
     """Draw the coordinates x, y, z of the TCP over time, and its speed."""
     figure = new_figure(f"Position of the TCP: {name}", width=11.0, height=7.6)
     samples = followed.samples
@@ -108,7 +109,7 @@ def position_picture(followed: FollowedTrajectory, name: str, theme: Theme) -> F
     return figure
 
 
-def joints_picture(followed: FollowedTrajectory, name: str, theme: Theme) -> Figure:
+def joints_picture(followed: FollowedTrajectory, name: str, theme: Colours) -> Figure:
     """Draw each joint's angle between its limits, with the share of its speed that it needs."""
     robot, samples = followed.robot, followed.samples
     count = len(robot.joints)
@@ -128,12 +129,12 @@ def joints_picture(followed: FollowedTrajectory, name: str, theme: Theme) -> Fig
     return figure
 
 
-def deviation_picture(followed: FollowedTrajectory, name: str, theme: Theme) -> Figure:
+def deviation_picture(followed: FollowedTrajectory, name: str, theme: Colours) -> Figure:
     """Draw the distance of the TCP from the request, by forward kinematics of the joints."""
     figure = new_figure(f"Deviation: {name}", width=11.0, height=3.8)
     axes = figure.subplots()
     off = MM * followed.deviation
-    axes.plot(followed.samples.times, off, color=theme.limit)
+    axes.plot(followed.samples.times, off, color=theme.error)
     of_what = "the path asked for" if followed.plan.kind.of_tcp else "the straight lines"
     axes.set_title(
         f"from {of_what}: at most {_length(followed.deviation_max)}, "
@@ -148,7 +149,7 @@ def deviation_picture(followed: FollowedTrajectory, name: str, theme: Theme) -> 
     return figure
 
 
-def orientation_picture(followed: FollowedTrajectory, name: str, theme: Theme) -> Figure:
+def orientation_picture(followed: FollowedTrajectory, name: str, theme: Colours) -> Figure:
     """Draw the attitude as a quaternion with its norm, and the uniformity of its rotation.
 
     Compares slerp with linear quaternion interpolation, which is an equal rotation that is faster
@@ -167,14 +168,16 @@ def orientation_picture(followed: FollowedTrajectory, name: str, theme: Theme) -
     return figure
 
 
-def _draw_rates(angle: Axes, rate: Axes, times: Array, rates: AttitudeRates, theme: Theme) -> None:
+def _draw_rates(
+    angle: Axes, rate: Axes, times: Array, rates: AttitudeRates, theme: Colours
+) -> None:
     angle.set_title("turned since the point before")
     rate.set_title("how fast it turns")
     angle.set_ylabel("angle [°]")
     rate.set_ylabel("rate [°/s]")
     rows = [(rates.angle, rates.rate, theme.tcp, "-", "as driven")]
     if rates.linear_angle is not None and rates.linear_rate is not None:
-        look = (theme.limit, "--", "quaternions interpolated linearly")
+        look = (theme.error, "--", "quaternions interpolated linearly")
         rows.append((rates.linear_angle, rates.linear_rate, *look))
     for turned, speed, colour, line, label in rows:
         angle.plot(times, np.degrees(turned), color=colour, linestyle=line, label=label)
@@ -186,13 +189,13 @@ def _draw_rates(angle: Axes, rate: Axes, times: Array, rates: AttitudeRates, the
         angle.legend(loc="upper left")
 
 
-def _arm_picture(followed: FollowedTrajectory, name: str, theme: Theme) -> Figure:
+def _arm_picture(followed: FollowedTrajectory, name: str, theme: Colours) -> Figure:
     tools = (followed.flange_from_tcp, followed.flange_from_tcp)
     way = MM * followed.samples.base_from_tcp.translation
     return arm_at_both_ends(followed.robot, followed.samples.joints, tools, way, name, theme)
 
 
-def _mark_points(rows: list[Axes], followed: FollowedTrajectory, theme: Theme) -> None:
+def _mark_points(rows: list[Axes], followed: FollowedTrajectory, theme: Colours) -> None:
     """Draw vertical lines at the times of the points."""
     begins = np.flatnonzero(np.diff(followed.samples.move)) + 1
     if len(begins) <= _MOST_NAMES:
@@ -201,7 +204,7 @@ def _mark_points(rows: list[Axes], followed: FollowedTrajectory, theme: Theme) -
                 axes.axvline(time, color=theme.soft, linewidth=0.8, linestyle=":", zorder=0.9)
 
 
-def _number_points(axes: Axes, followed: FollowedTrajectory, places: Array, theme: Theme) -> None:
+def _number_points(axes: Axes, followed: FollowedTrajectory, places: Array, theme: Colours) -> None:
     if len(places) > _MOST_NAMES:
         return
     for row, place in enumerate(places):

@@ -6,9 +6,10 @@ from collections.abc import Iterator
 
 from matplotlib.figure import Figure
 
+from rapidsim.colours import Colours
 from rapidsim.language.data import IDENTITY_POSE, Pose, RobTarget
 from rapidsim.plots.sampled_run import target_name, title_of
-from rapidsim.plots.theme import Theme, new_figure
+from rapidsim.plots.theme import new_figure
 from rapidsim.simulation.results.sampling import SampledRun
 from rapidsim.values import value_class
 
@@ -29,7 +30,7 @@ class _Row:
     """Pose of the frame in its parent."""
 
 
-def frames_picture(run: SampledRun, theme: Theme) -> Figure:
+def frames_picture(run: SampledRun, theme: Colours) -> Figure:
     """Draw the tree, one row per frame, with positions in mm in the parent frame."""
     rows = list(_rows(run))
     height = 1.0 + _ROW * len(rows)

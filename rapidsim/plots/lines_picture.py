@@ -6,17 +6,19 @@ from pathlib import Path
 
 from matplotlib.figure import Figure
 
+from rapidsim.colours import Colours
 from rapidsim.controller.journal.events import Wait
 from rapidsim.language.moves import Interpolation
 from rapidsim.plots.sampled_run import target_name, title_of
-from rapidsim.plots.theme import Theme, new_figure
+from rapidsim.plots.theme import new_figure
+from rapidsim.simulation.results.move_kinds import MOVE_KINDS
 from rapidsim.simulation.results.sampling import SampledRun
 from rapidsim.simulation.results.time_shares import Step, instruction_of
 
 _MOST_LINES = 30
 
 
-def lines_picture(run: SampledRun, theme: Theme) -> Figure:
+def lines_picture(run: SampledRun, theme: Colours) -> Figure:
     """Draw the time in moves and waits of each line, in program order; of many, the slowest."""
     rows = _rows(run)
     order = sorted(range(len(rows)), key=lambda place: -rows[place][1])
@@ -29,7 +31,9 @@ def lines_picture(run: SampledRun, theme: Theme) -> Figure:
     axes.barh(
         places,
         [seconds for _, seconds, _ in shown],
-        color=[theme.soft if kind is None else theme.moves[kind] for _, _, kind in shown],
+        color=[
+            theme.soft if kind is None else theme.moves[MOVE_KINDS[kind]] for _, _, kind in shown
+        ],
         height=0.68,
     )
     for place, (_, seconds, _) in enumerate(shown):

@@ -9,6 +9,7 @@ from matplotlib.patches import Circle, Rectangle
 from matplotlib.ticker import MaxNLocator
 from mpl_toolkits.mplot3d.axes3d import Axes3D
 
+from rapidsim.colours import Colours
 from rapidsim.controller.moves.executed_move import CornerKind
 from rapidsim.frames.transform import Array
 from rapidsim.library.motion import PLAIN_MOVES
@@ -23,7 +24,8 @@ from rapidsim.plots.sampled_run import (
     title_of,
 )
 from rapidsim.plots.stick_arm import as_cube
-from rapidsim.plots.theme import Theme, mark_start, new_figure, write_name
+from rapidsim.plots.theme import mark_start, new_figure, write_name
+from rapidsim.simulation.results.move_kinds import CORNER, MOVE_KINDS
 from rapidsim.simulation.results.sampling import SampledRun
 
 _MOST_NAMES = 25
@@ -41,7 +43,7 @@ _SIDES = (("from above", 0, 1), ("from the side", 0, 2), ("from the front", 1, 2
 _AXES = ("x [mm]", "y [mm]", "z [mm]")
 
 
-def path_picture(run: SampledRun, theme: Theme) -> Figure:
+def path_picture(run: SampledRun, theme: Colours) -> Figure:
     """Draw the path in four views; and its lines and arcs from near, if they are small."""
     box, cell = _drawing(run), cell_of(run, theme)
     rows = 1 if box is None else 2
@@ -71,7 +73,7 @@ def path_picture(run: SampledRun, theme: Theme) -> Figure:
 
 
 def _draw_space(
-    axes: Axes3D, run: SampledRun, theme: Theme, cell: CellOutline, box: Array | None = None
+    axes: Axes3D, run: SampledRun, theme: Colours, cell: CellOutline, box: Array | None = None
 ) -> None:
     """Draw the path in space; with a box (2, 3) [mm] only the part within it."""
     what = "in space" if box is None else "lines and arcs, in space"
@@ -118,7 +120,7 @@ def _width(run: SampledRun) -> float:
 def _draw_side(
     axes: Axes,
     run: SampledRun,
-    theme: Theme,
+    theme: Colours,
     view: tuple[int, int],
     box: Array | None,
     cell: CellOutline,
@@ -142,7 +144,7 @@ def _draw_side(
 
 
 def _draw_near(
-    axes: Axes, run: SampledRun, theme: Theme, view: tuple[int, int], box: Array
+    axes: Axes, run: SampledRun, theme: Colours, view: tuple[int, int], box: Array
 ) -> None:
     """Draw the contents of a box (2, 3) [mm], from a side."""
     _draw_work(axes, run, theme, view)
@@ -182,7 +184,7 @@ def _drawing(run: SampledRun) -> Array | None:
     return np.stack([low - _AIR * size, high + _AIR * size])
 
 
-def _draw_work(axes: Axes, run: SampledRun, theme: Theme, view: tuple[int, int]) -> None:
+def _draw_work(axes: Axes, run: SampledRun, theme: Colours, view: tuple[int, int]) -> None:
     """Draw path, targets and zones from a side."""
     for _, colour, place in _path_sections(run, theme):
         axes.plot(*place[:, view].T, color=colour, linewidth=_width(run))
@@ -196,7 +198,7 @@ def _draw_work(axes: Axes, run: SampledRun, theme: Theme, view: tuple[int, int])
                 (centre[0], centre[1]),
                 MM * move.zone_m,
                 fill=False,
-                color=theme.corner,
+                color=theme.moves[CORNER],
                 linewidth=0.8,
                 alpha=0.7,
             )
@@ -209,7 +211,7 @@ def _draw_names(
     axes: Axes,
     targets: list[tuple[str, Array]],
     sweep: Array,
-    theme: Theme,
+    theme: Colours,
     view: tuple[int, int],
 ) -> None:
     """Draw names of targets in a view of `sweep` (k, 2) [mm]."""
@@ -221,7 +223,7 @@ def _draw_names(
         write_name(axes, name, place, theme)
 
 
-def _draw_start(axes: Axes, run: SampledRun, theme: Theme, view: tuple[int, ...]) -> None:
+def _draw_start(axes: Axes, run: SampledRun, theme: Colours, view: tuple[int, ...]) -> None:
     """Draw a ring at the TCP before the first move."""
     mark_start(axes, places_mm(run)[0, view], theme)
 
@@ -242,7 +244,7 @@ def _spread_labels(names: list[str], places: Array, sweep: Array) -> list[tuple[
     return kept
 
 
-def _path_sections(run: SampledRun, theme: Theme) -> list[tuple[str, str, Array]]:
+def _path_sections(run: SampledRun, theme: Colours) -> list[tuple[str, str, Array]]:
     """Return label, colour and points (k, 3) [mm] of sections; the first of a kind has a label."""
     found: list[tuple[str, str, Array]] = []
     moves = run.robot_run.moves
@@ -252,8 +254,10 @@ def _path_sections(run: SampledRun, theme: Theme) -> list[tuple[str, str, Array]
     kind = kinds[np.clip(run.samples.move, 0, len(moves) - 1)]
     for interpolation in dict.fromkeys(move.move.interpolation for move in moves):
         mask = (kind == list(PLAIN_MOVES).index(interpolation)) & ~run.in_corner
-        found += _of_kind(run, mask, PLAIN_MOVES[interpolation], theme.moves[interpolation])
-    return found + _of_kind(run, run.in_corner, "corner", theme.corner)
+        found += _of_kind(
+            run, mask, PLAIN_MOVES[interpolation], theme.moves[MOVE_KINDS[interpolation]]
+        )
+    return found + _of_kind(run, run.in_corner, "corner", theme.moves[CORNER])
 
 
 def _of_kind(
@@ -274,17 +278,17 @@ def _targets(run: SampledRun) -> list[tuple[str, Array]]:
     return list(found.values())
 
 
-def _draw_failed(axes: Axes, run: SampledRun, theme: Theme, view: tuple[int, ...]) -> None:
+def _draw_failed(axes: Axes, run: SampledRun, theme: Colours, view: tuple[int, ...]) -> None:
     label: str | None = "not possible"
     for failed in run.robot_run.failed_moves:
         way = MM * failed.curve[:, view]
-        axes.plot(*way.T, color=theme.failed, linestyle="--", linewidth=1.0)
+        axes.plot(*way.T, color=theme.error, linestyle="--", linewidth=1.0)
         at = MM * failed.fails_at[list(view)]
         axes.plot(
             *([x] for x in at),
             marker="x",
             linestyle="none",
-            color=theme.failed,
+            color=theme.error,
             markersize=7,
             markeredgewidth=2,
             label=label,

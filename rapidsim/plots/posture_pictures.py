@@ -13,14 +13,16 @@ from matplotlib.figure import Figure
 from matplotlib.ticker import MaxNLocator
 from mpl_toolkits.mplot3d.axes3d import Axes3D
 
+from rapidsim.colours import Colours
 from rapidsim.frames.transform import Array, Transform
 from rapidsim.language.moves import Interpolation
 from rapidsim.motion.configurations.postures import Postures
 from rapidsim.motion.robot.external_axes import with_unit
 from rapidsim.motion.robot.robot import Robot
 from rapidsim.plots.stick_arm import MM, as_cube, draw_floor, draw_stick, draw_triads, stick
-from rapidsim.plots.theme import Theme, new_figure
+from rapidsim.plots.theme import new_figure
 from rapidsim.plots.write import write_pictures
+from rapidsim.simulation.results.move_kinds import MOVE_KINDS
 
 _AXES = ("x [mm]", "y [mm]", "z [mm]")
 _COLUMNS = 4
@@ -39,7 +41,7 @@ def write_posture_plots(postures: Postures, folder: Path) -> tuple[Path, ...]:
     Raises:
         InputError: If the files cannot be written.
     """
-    pictures: dict[str, Callable[[Theme], Figure | None]] = {
+    pictures: dict[str, Callable[[Colours], Figure | None]] = {
         "pose": partial(pose_picture, postures),
         "matrix": partial(matrix_picture, postures),
         "jacobian": partial(jacobian_picture, postures),
@@ -47,7 +49,7 @@ def write_posture_plots(postures: Postures, folder: Path) -> tuple[Path, ...]:
     return write_pictures(pictures, folder)
 
 
-def pose_picture(postures: Postures, theme: Theme) -> Figure:
+def pose_picture(postures: Postures, theme: Colours) -> Figure:
     """Draw one posture from three sides, or several side by side in space."""
     if len(postures.rows) == 1:
         return _single(postures, theme)
@@ -61,7 +63,7 @@ def pose_picture(postures: Postures, theme: Theme) -> Figure:
         angles = joints_text(postures.robot, posture.joints)
         beyond = "" if posture.within_limits else "\noutside the limits"
         axes.set_title(f"{posture.name}\n{angles}{beyond}", fontsize=8.5)
-        colour = theme.bar if posture.within_limits else theme.failed
+        colour = theme.accent if posture.within_limits else theme.error
         _draw(axes, postures, number, colour, theme, (0, 1, 2))
         _dress(axes, postures, theme, everything)
     return figure
@@ -76,7 +78,7 @@ def joints_text(robot: Robot, joints: Array) -> str:
     return ", ".join(with_unit(value, joint.measure) for value, joint in pairs)
 
 
-def matrix_picture(postures: Postures, theme: Theme) -> Figure:
+def matrix_picture(postures: Postures, theme: Colours) -> Figure:
     """Draw the 4 x 4 matrix of the TCP: rotation as a heat map, and translation in mm."""
     figure = new_figure("Matrix of the TCP", width=6.6, height=5.2)
     axes = figure.subplots()
@@ -99,7 +101,7 @@ def matrix_picture(postures: Postures, theme: Theme) -> Figure:
     return figure
 
 
-def jacobian_picture(postures: Postures, theme: Theme) -> Figure | None:
+def jacobian_picture(postures: Postures, theme: Colours) -> Figure | None:
     """Draw the Jacobian as a heat map, and its singular values; None without a Jacobian."""
     if postures.differential is None:
         return None
@@ -114,7 +116,7 @@ def jacobian_picture(postures: Postures, theme: Theme) -> Figure | None:
     heat.set_title("base frame, m/rad and rad/rad")
     values = postures.differential.singular_values
     places = np.arange(len(values))
-    bars.bar(places, values, color=theme.bar, width=0.6)
+    bars.bar(places, values, color=theme.accent, width=0.6)
     for place, value in zip(places.tolist(), values.tolist(), strict=True):
         bars.annotate(
             f"{value:.3g}", (place, value), xytext=(0, 3), textcoords="offset points", ha="center",
@@ -127,11 +129,11 @@ def jacobian_picture(postures: Postures, theme: Theme) -> Figure | None:
     return figure
 
 
-def _single(postures: Postures, theme: Theme) -> Figure:
+def _single(postures: Postures, theme: Colours) -> Figure:
     figure = new_figure(postures.title, width=11.0, height=5.0)
     grid = figure.add_gridspec(1, 3, width_ratios=(1.35, 1.0, 1.0))
     space: Axes3D = figure.add_subplot(grid[0, 0], projection="3d")
-    _draw(space, postures, 0, theme.bar, theme, (0, 1, 2))
+    _draw(space, postures, 0, theme.accent, theme, (0, 1, 2))
     in_world = not np.allclose(postures.world_from_base.matrix, np.eye(4))
     space.set_title(f"in space, {'world' if in_world else 'base frame'}")
     views: Sequence[tuple[Axes, tuple[int, ...], str]] = (
@@ -139,7 +141,7 @@ def _single(postures: Postures, theme: Theme) -> Figure:
         (figure.add_subplot(grid[0, 2]), (0, 1), "from above"),
     )
     for axes, sides, title in views:
-        _draw(axes, postures, 0, theme.bar, theme, sides)
+        _draw(axes, postures, 0, theme.accent, theme, sides)
         axes.set_title(title)
         axes.set_xlabel(_AXES[sides[0]])
         axes.set_ylabel(_AXES[sides[1]])
@@ -152,7 +154,7 @@ def _single(postures: Postures, theme: Theme) -> Figure:
 
 
 def _draw(
-    axes: Axes, postures: Postures, row: int, colour: str, theme: Theme, sides: tuple[int, ...]
+    axes: Axes, postures: Postures, row: int, colour: str, theme: Colours, sides: tuple[int, ...]
 ) -> None:
     draw_stick(axes, _stick(postures, row), colour, theme, sides, "arm")
     size = MM * postures.size
@@ -164,7 +166,7 @@ def _draw(
     start = MM * postures.world_from_tcp.translation
     tip = start + _ARROW * size * direction
     ends = np.stack([start - (tip - start), tip])[:, sides]
-    axes.plot(*ends.T, color=theme.failed, linewidth=2.0, linestyle="--", label=label, zorder=5)
+    axes.plot(*ends.T, color=theme.error, linewidth=2.0, linestyle="--", label=label, zorder=5)
 
 
 def _stick(postures: Postures, row: int) -> Array:
@@ -173,7 +175,7 @@ def _stick(postures: Postures, row: int) -> Array:
     return MM * world.apply(base / MM)
 
 
-def _dress(axes: Axes3D, postures: Postures, theme: Theme, points: Array) -> None:
+def _dress(axes: Axes3D, postures: Postures, theme: Colours, points: Array) -> None:
     axes.set_xlabel(_AXES[0])
     axes.set_ylabel(_AXES[1])
     axes.set_zlabel(_AXES[2])
@@ -185,9 +187,9 @@ def _dress(axes: Axes3D, postures: Postures, theme: Theme, points: Array) -> Non
         pane.set_major_locator(MaxNLocator(4))
 
 
-def _heat_map(axes: Axes, values: Array, words: list[list[str]], theme: Theme) -> None:
+def _heat_map(axes: Axes, values: Array, words: list[list[str]], theme: Colours) -> None:
     """Draw numbers from -1 to 1 as coloured cells, with texts on them."""
-    ends = (theme.failed, theme.page, theme.moves[Interpolation.JOINT])
+    ends = (theme.error, theme.panel, theme.moves[MOVE_KINDS[Interpolation.JOINT]])
     colours = LinearSegmentedColormap.from_list("signed", ends)
     axes.imshow(values, cmap=colours, vmin=-1.4, vmax=1.4, aspect="auto")
     for row, texts in enumerate(words):

@@ -6,9 +6,9 @@ import numpy as np
 from matplotlib.axes import Axes
 from mpl_toolkits.mplot3d.axes3d import Axes3D
 
+from rapidsim.colours import Colours
 from rapidsim.frames.transform import Array, Transform
 from rapidsim.motion.robot.robot import Robot
-from rapidsim.plots.theme import Theme
 
 MM = 1000.0
 _WIDTH = 4.2
@@ -31,7 +31,7 @@ def stick(robot: Robot, joints: Array, flange_from_tcp: Transform) -> Array:
 
 
 def draw_stick(
-    axes: Axes, corners: Array, colour: str, theme: Theme, view: tuple[int, ...], label: str
+    axes: Axes, corners: Array, colour: str, theme: Colours, view: tuple[int, ...], label: str
 ) -> None:
     """Draw a stick (m, 3) [mm] in a view that shows some of its three coordinates."""
     of_arm, tool = corners[:-1, view], corners[-2:, view]
@@ -50,14 +50,14 @@ def draw_stick(
         linestyle="none",
         marker="o",
         markersize=5.2,
-        markerfacecolor=theme.page,
+        markerfacecolor=theme.panel,
         markeredgecolor=colour,
         markeredgewidth=1.2,
     )
 
 
 def draw_triads(
-    axes: Axes, base_from_frames: Transform, size_mm: float, theme: Theme, view: tuple[int, ...]
+    axes: Axes, base_from_frames: Transform, size_mm: float, theme: Colours, view: tuple[int, ...]
 ) -> None:
     """Draw the axes x, y, z of frames (k,) in red, green and blue."""
     origins = MM * base_from_frames.translation
@@ -69,7 +69,7 @@ def draw_triads(
 
 
 def draw_floor(
-    axes: Axes3D, size_mm: float, theme: Theme, world_from_base: Transform | None = None
+    axes: Axes3D, size_mm: float, theme: Colours, world_from_base: Transform | None = None
 ) -> None:
     """Draw a ring around the foot that indicates the floor."""
     angle = np.linspace(0.0, 2.0 * np.pi, 61)

@@ -10,9 +10,10 @@ from matplotlib.colors import ListedColormap
 from matplotlib.figure import Figure
 from matplotlib.patches import Patch
 
+from rapidsim.colours import Colours
 from rapidsim.frames.transform import Array
 from rapidsim.jobs.running.sweep import Axis, Sweep
-from rapidsim.plots.theme import Theme, new_figure
+from rapidsim.plots.theme import new_figure
 from rapidsim.plots.write import write_pictures
 
 
@@ -25,7 +26,7 @@ def write_sweep_picture(sweep: Sweep, folder: Path) -> tuple[Path, ...]:
     return write_pictures({"sweep": partial(_picture, sweep)}, folder)
 
 
-def _picture(sweep: Sweep, theme: Theme) -> Figure:
+def _picture(sweep: Sweep, theme: Colours) -> Figure:
     """Draw the margin over the first two keys: the best one if more keys vary."""
     figure = new_figure(_title(sweep), width=8.0, height=5.6)
     axes = figure.subplots()
@@ -34,7 +35,7 @@ def _picture(sweep: Sweep, theme: Theme) -> Figure:
     first = sweep.axes[0]
     axes.set_xlabel(_label(first))
     if margin.ndim == 1:
-        axes.plot(first.values, margin, color=theme.bar, marker="o", markersize=3.0)
+        axes.plot(first.values, margin, color=theme.accent, marker="o", markersize=3.0)
         axes.set_ylabel(_margin_label(sweep))
         axes.set_xlim(*_edges(first)[[0, -1]])
         axes.set_ylim(bottom=0.0)

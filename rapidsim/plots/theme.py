@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 from contextlib import contextmanager
-from types import MappingProxyType
 from typing import Any
 
 import matplotlib
@@ -14,80 +13,23 @@ from matplotlib.figure import Figure
 from matplotlib.layout_engine import ConstrainedLayoutEngine
 from matplotlib.patheffects import withStroke
 
+from rapidsim.colours import Colours
 from rapidsim.frames.transform import Array
-from rapidsim.language.moves import Interpolation
-from rapidsim.simulation.results.move_kinds import CORNER, MOVE_KINDS
-from rapidsim.values import value_class
 
 DPI = 144
 _SHORTEST_S = 1e-3
 """[s]; no axis is shorter."""
 
 
-@value_class(frozen=True, slots=True)
-class Theme:
-    """Colours of one theme."""
-
-    name: str
-    page: str
-    ink: str
-    soft: str
-    rule: str
-    programmed: str
-    tcp: str
-    limit: str
-    corner: str
-    failed: str
-    bar: str
-    moves: Mapping[Interpolation, str]
-    joints: tuple[str, ...]
-
-
-LIGHT = Theme(
-    name="light",
-    page="#ffffff",
-    ink="#1b2330",
-    soft="#5c6675",
-    rule="#dde1e7",
-    programmed="#8a93a1",
-    tcp="#d97800",
-    limit="#c62828",
-    corner=CORNER.on_light,
-    failed="#c62828",
-    bar="#0b62c4",
-    moves=MappingProxyType({way: kind.on_light for way, kind in MOVE_KINDS.items()}),
-    joints=(
-        "#d93b38", "#2f9a44", "#2f6fe0", "#c79000", "#9440b8", "#0f97ad", "#e0663c", "#77828c",
-    ),
-)  # fmt: skip
-DARK = Theme(
-    name="dark",
-    page="#161a20",
-    ink="#e6e9ee",
-    soft="#98a2b1",
-    rule="#2e3540",
-    programmed="#7d8796",
-    tcp="#ffa12e",
-    limit="#ff6b62",
-    corner=CORNER.on_dark,
-    failed="#ff6b62",
-    bar="#6db1ff",
-    moves=MappingProxyType({way: kind.on_dark for way, kind in MOVE_KINDS.items()}),
-    joints=(
-        "#ef5350", "#66bb6a", "#4f93ff", "#ffca28", "#c17bd3", "#26c6da", "#ff8a65", "#b0bec5",
-    ),
-)  # fmt: skip
-
-
 @contextmanager
-def themed(theme: Theme) -> Iterator[None]:
+def themed(theme: Colours) -> Iterator[None]:
     """Apply a theme to figures made in the block; nothing outside it changes."""
     settings: dict[Any, Any] = {
         "font.family": "DejaVu Sans",
         "font.size": 9.0,
-        "figure.facecolor": theme.page,
-        "savefig.facecolor": theme.page,
-        "axes.facecolor": theme.page,
+        "figure.facecolor": theme.panel,
+        "savefig.facecolor": theme.panel,
+        "axes.facecolor": theme.panel,
         "axes.edgecolor": theme.rule,
         "axes.labelcolor": theme.soft,
         "axes.labelsize": 8.5,
@@ -136,7 +78,7 @@ def time_axis(axes: Axes, end_s: float) -> None:
     axes.set_xlim(0.0, max(end_s, _SHORTEST_S))
 
 
-def write_name(axes: Axes, name: str, place: Array, theme: Theme) -> None:
+def write_name(axes: Axes, name: str, place: Array, theme: Colours) -> None:
     """Write a name next to a point (2,), in units of the axes, readable over lines."""
     axes.annotate(
         name,
@@ -146,11 +88,11 @@ def write_name(axes: Axes, name: str, place: Array, theme: Theme) -> None:
         fontsize=7.5,
         color=theme.soft,
         annotation_clip=True,
-        path_effects=[withStroke(linewidth=2.0, foreground=theme.page)],
+        path_effects=[withStroke(linewidth=2.0, foreground=theme.panel)],
     )
 
 
-def mark_start(axes: Axes, start: Array, theme: Theme) -> None:
+def mark_start(axes: Axes, start: Array, theme: Colours) -> None:
     """Draw a ring at the start of a path (2,) or (3,), in units of the axes."""
     axes.plot(
         *start[:, None],

@@ -6,11 +6,13 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
+from rapidsim.colours import Colours
 from rapidsim.frames.transform import Array, unbroken
 from rapidsim.motion.robot.external_axes import with_unit
 from rapidsim.motion.robot.robot import Robot
 from rapidsim.plots.sampled_run import MM, title_of
-from rapidsim.plots.theme import Theme, new_figure, time_axis
+from rapidsim.plots.theme import new_figure, time_axis
+from rapidsim.simulation.results.move_kinds import CORNER
 from rapidsim.simulation.results.sampling import SampledRun
 
 _COLUMNS = 2
@@ -18,7 +20,7 @@ _CAPPED = 2.0
 """Multiple of the highest speed above which a programmed speed may exceed the picture."""
 
 
-def joints_picture(run: SampledRun, theme: Theme) -> Figure:
+def joints_picture(run: SampledRun, theme: Colours) -> Figure:
     """Draw each joint's angle between its limits, with its speed as a share of the maximum."""
     robot, samples = run.robot_run.robot, run.samples
     count = len(robot.joints)
@@ -36,7 +38,9 @@ def joints_picture(run: SampledRun, theme: Theme) -> Figure:
     return figure
 
 
-def draw_joint(axes: Axes, robot: Robot, k: int, times: Array, joints: Array, theme: Theme) -> None:
+def draw_joint(
+    axes: Axes, robot: Robot, k: int, times: Array, joints: Array, theme: Colours
+) -> None:
     """Draw joint k, from 0, with its limits: joints (n, joints) [rad] over times (n,) [s]."""
     angle = np.degrees(joints[:, k])
     lower, upper = np.degrees(robot.lower[k]), np.degrees(robot.upper[k])
@@ -47,14 +51,14 @@ def draw_joint(axes: Axes, robot: Robot, k: int, times: Array, joints: Array, th
         axes.set_title(f"joint {k + 1}: turns without end")
         return
     for limit in (lower, upper):
-        axes.axhline(limit, color=theme.limit, linestyle="--", linewidth=0.9)
+        axes.axhline(limit, color=theme.error, linestyle="--", linewidth=0.9)
     margin = min(float((angle - lower).min()), float((upper - angle).min()))
     axes.set_title(f"joint {k + 1}: {with_unit(f'{margin:.1f}', joint.measure)} from a limit")
     air = 0.08 * (upper - lower)
     axes.set_ylim(min(lower, angle.min()) - air, max(upper, angle.max()) + air)
 
 
-def speed_picture(run: SampledRun, theme: Theme) -> Figure:
+def speed_picture(run: SampledRun, theme: Colours) -> Figure:
     """Draw the TCP's speed against the programmed one, with shaded corners."""
     figure = new_figure(f"TCP speed: {title_of(run)}", width=11.0, height=4.2)
     axes = figure.subplots()
@@ -71,7 +75,7 @@ def speed_picture(run: SampledRun, theme: Theme) -> Figure:
     return figure
 
 
-def orientation_picture(run: SampledRun, theme: Theme) -> Figure:
+def orientation_picture(run: SampledRun, theme: Colours) -> Figure:
     """Draw the orientation of the TCP as a quaternion, and its rotation within each move."""
     figure = new_figure(f"Orientation of the TCP: {title_of(run)}", width=11.0, height=6.4)
     upper, lower = figure.subplots(2, 1, sharex=True)
@@ -88,7 +92,7 @@ def orientation_picture(run: SampledRun, theme: Theme) -> Figure:
     return figure
 
 
-def draw_quaternions(axes: Axes, times: Array, quaternions: Array, theme: Theme) -> None:
+def draw_quaternions(axes: Axes, times: Array, quaternions: Array, theme: Colours) -> None:
     """Draw quaternions (k, 4) at instants (k,) [s], with their norm."""
     for k in range(4):
         axes.plot(times, quaternions[:, k], color=theme.joints[k], label=f"q{k + 1}")
@@ -99,7 +103,7 @@ def draw_quaternions(axes: Axes, times: Array, quaternions: Array, theme: Theme)
     axes.set_ylim(-1.08, 1.12)
 
 
-def _shade_corners(axes: Axes, run: SampledRun, theme: Theme) -> None:
+def _shade_corners(axes: Axes, run: SampledRun, theme: Colours) -> None:
     """Draw bands over the whole height, as one patch: a long path has thousands of corners."""
     if run.in_corner.any():
         axes.fill_between(
@@ -108,7 +112,7 @@ def _shade_corners(axes: Axes, run: SampledRun, theme: Theme) -> None:
             1.0,
             where=run.in_corner,
             transform=axes.get_xaxis_transform(),
-            color=theme.corner,
+            color=theme.moves[CORNER],
             alpha=0.18,
             linewidth=0,
             label="corner",

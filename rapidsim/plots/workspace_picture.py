@@ -10,12 +10,14 @@ from matplotlib.axes import Axes
 from matplotlib.colors import ListedColormap
 from matplotlib.figure import Figure
 
+from rapidsim.colours import Colours
 from rapidsim.frames.transform import Array, Transform
 from rapidsim.language.moves import Interpolation
 from rapidsim.motion.workspace import ArmWorkspace
 from rapidsim.plots.stick_arm import MM, draw_stick, stick
-from rapidsim.plots.theme import Theme, new_figure
+from rapidsim.plots.theme import new_figure
 from rapidsim.plots.write import write_pictures
+from rapidsim.simulation.results.move_kinds import MOVE_KINDS
 
 _PIXELS = 600
 """Number of pixels across the view from above."""
@@ -32,7 +34,7 @@ def write_workspace_plots(workspace: ArmWorkspace, folder: Path) -> tuple[Path, 
     return write_pictures({"workspace": partial(workspace_picture, workspace)}, folder)
 
 
-def workspace_picture(workspace: ArmWorkspace, theme: Theme) -> Figure:
+def workspace_picture(workspace: ArmWorkspace, theme: Colours) -> Figure:
     """Draw both views, with the arm at its position before a run."""
     title = f"Workspace of the flange: {workspace.robot.title}, {workspace.volume:.2f} m³"
     figure = new_figure(title, width=11.0, height=5.6)
@@ -43,7 +45,7 @@ def workspace_picture(workspace: ArmWorkspace, theme: Theme) -> Figure:
     return figure
 
 
-def _draw_section(axes: Axes, workspace: ArmWorkspace, corners: Array, theme: Theme) -> None:
+def _draw_section(axes: Axes, workspace: ArmWorkspace, corners: Array, theme: Colours) -> None:
     """Draw the half plane through axis 1 with the reached cells."""
     near, far, low, high = (MM * value for value in workspace.extent)
     rows, columns = workspace.section.shape
@@ -56,7 +58,7 @@ def _draw_section(axes: Axes, workspace: ArmWorkspace, corners: Array, theme: Th
             MM * workspace.lowest,
             MM * (workspace.lowest + workspace.cell * rows),
         ),
-        cmap=ListedColormap([theme.moves[Interpolation.LINE]]),
+        cmap=ListedColormap([theme.moves[MOVE_KINDS[Interpolation.LINE]]]),
         alpha=_FILLED,
         aspect="equal",
         interpolation="nearest",
@@ -64,7 +66,7 @@ def _draw_section(axes: Axes, workspace: ArmWorkspace, corners: Array, theme: Th
     in_section = np.column_stack(
         [np.hypot(corners[:, 0], corners[:, 1]), np.zeros(len(corners)), corners[:, 2]]
     )
-    draw_stick(axes, in_section, theme.bar, theme, (0, 2), "")
+    draw_stick(axes, in_section, theme.accent, theme, (0, 2), "")
     axes.set_title(
         f"section through axis 1: {near:.0f} to {far:.0f} mm from it, {low:.0f} to {high:.0f} high"
     )
@@ -73,7 +75,7 @@ def _draw_section(axes: Axes, workspace: ArmWorkspace, corners: Array, theme: Th
     axes.set_aspect("equal", adjustable="datalim")
 
 
-def _draw_from_above(axes: Axes, workspace: ArmWorkspace, corners: Array, theme: Theme) -> None:
+def _draw_from_above(axes: Axes, workspace: ArmWorkspace, corners: Array, theme: Colours) -> None:
     """Draw what is reached at any height."""
     far = MM * workspace.extent[1]
     columns, directions = workspace.above.shape
@@ -86,11 +88,11 @@ def _draw_from_above(axes: Axes, workspace: ArmWorkspace, corners: Array, theme:
         np.ma.masked_where(~is_reached, is_reached.astype(float)),
         origin="lower",
         extent=(-far, far, -far, far),
-        cmap=ListedColormap([theme.moves[Interpolation.LINE]]),
+        cmap=ListedColormap([theme.moves[MOVE_KINDS[Interpolation.LINE]]]),
         alpha=_FILLED,
         interpolation="nearest",
     )
-    draw_stick(axes, corners, theme.bar, theme, (0, 1), "")
+    draw_stick(axes, corners, theme.accent, theme, (0, 1), "")
     axes.set_xlim(-1.08 * far, 1.08 * far)
     axes.set_ylim(-1.08 * far, 1.08 * far)
     axes.set_aspect("equal", adjustable="box")

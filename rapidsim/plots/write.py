@@ -15,6 +15,7 @@ from types import MappingProxyType
 
 from matplotlib.figure import Figure
 
+from rapidsim.colours import DARK, LIGHT, Colours
 from rapidsim.files import InputError, did_you_mean
 from rapidsim.output_files import unwritten, whole_file
 from rapidsim.plots.arm_picture import arm_picture
@@ -24,12 +25,12 @@ from rapidsim.plots.frames_picture import frames_picture
 from rapidsim.plots.lines_picture import lines_picture
 from rapidsim.plots.path_picture import path_picture
 from rapidsim.plots.sampled_run import sample_run
-from rapidsim.plots.theme import DARK, LIGHT, Theme, themed
+from rapidsim.plots.theme import themed
 from rapidsim.plots.time_pictures import joints_picture, orientation_picture, speed_picture
 from rapidsim.simulation.results.sampling import SampledRun
 from rapidsim.simulation.results.simulation import RobotRun, Simulation
 
-PICTURES: Mapping[str, Callable[[SampledRun, Theme], Figure | None]] = MappingProxyType(
+PICTURES: Mapping[str, Callable[[SampledRun, Colours], Figure | None]] = MappingProxyType(
     {
         "path": path_picture,
         "arm": arm_picture,
@@ -100,7 +101,7 @@ def draw(simulation: Simulation, robot_run: RobotRun, name: str, *, dark: bool =
 
 
 def write_pictures(
-    pictures: Mapping[str, Callable[[Theme], Figure | None]], folder: Path
+    pictures: Mapping[str, Callable[[Colours], Figure | None]], folder: Path
 ) -> tuple[Path, ...]:
     """Write pictures by the names of their files, light and dark.
 

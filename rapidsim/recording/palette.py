@@ -8,6 +8,8 @@ from __future__ import annotations
 from collections.abc import Mapping
 from types import MappingProxyType
 
+from rapidsim import colours
+from rapidsim.colours import DARK
 from rapidsim.language.moves import Interpolation, Move
 from rapidsim.motion.timing.constraints import Quantity
 from rapidsim.simulation.results import move_kinds
@@ -24,56 +26,36 @@ def _rgb(colour: str) -> Colour:
 BACKGROUND: Colour = (22, 25, 31)
 GRID: Colour = (64, 72, 88)
 
-JOINTS: tuple[Colour, ...] = (
-    (239, 83, 80),
-    (102, 187, 106),
-    (66, 135, 245),
-    (255, 202, 40),
-    (186, 104, 200),
-    (38, 198, 218),
-    (255, 138, 101),
-    (176, 190, 197),
-)
+JOINTS: tuple[Colour, ...] = tuple(map(_rgb, DARK.joints))
 """Axes 1, 2, ...; the first two automatic colours would be nearly equal pinks."""
 
 MOVES: Mapping[Interpolation, Colour] = MappingProxyType(
-    {way: _rgb(kind.on_dark) for way, kind in MOVE_KINDS.items()}
+    {way: _rgb(DARK.moves[kind]) for way, kind in MOVE_KINDS.items()}
 )
-CORNER = _rgb(move_kinds.CORNER.on_dark)
+CORNER = _rgb(DARK.moves[move_kinds.CORNER])
 STANDSTILL: Colour = (62, 68, 80)
-PROGRAMMED: Colour = (150, 158, 172)
+PROGRAMMED = _rgb(DARK.programmed)
 """Programmed path and speed, next to the executed ones."""
-TCP_SPEED: Colour = (255, 152, 0)
-LIMIT: Colour = (229, 57, 53)
+TCP_SPEED = _rgb(DARK.tcp)
+LIMIT = _rgb(DARK.error)
 
 TARGET: Colour = (240, 240, 245)
 TARGET_NAME: Colour = (250, 230, 140)
 FRAME_NAME: Colour = (160, 200, 235)
-STOPPED: Colour = (255, 64, 64)
-FAILED: Colour = (255, 64, 64)
+STOPPED = _rgb(DARK.error)
+FAILED = _rgb(DARK.error)
 """Infeasible targets and paths, and the points of failure."""
-WARNED: Colour = (255, 167, 38)
+WARNED = _rgb(DARK.warning)
 """A target with a finding."""
 
-SPEEDS: tuple[Colour, ...] = (
-    (62, 38, 168),
-    (64, 78, 230),
-    (44, 123, 245),
-    (18, 163, 220),
-    (24, 190, 180),
-    (80, 205, 110),
-    (180, 205, 50),
-    (250, 205, 50),
-    (255, 140, 40),
-    (255, 70, 70),
-)
+SPEEDS: tuple[Colour, ...] = tuple(map(_rgb, colours.SPEEDS))
 """Colours from slow to fast, one per tenth of the range."""
 
-SIGNAL_ON: Colour = (46, 180, 90)
+SIGNAL_ON = _rgb(DARK.good)
 SIGNAL_OFF: Colour = (70, 76, 88)
 SIGNAL_VALUE: Colour = (60, 120, 160)
 
-LINK: Colour = (240, 120, 30)
+LINK = _rgb(DARK.arm)
 JOINT: Colour = (70, 74, 82)
 TOOL: Colour = (190, 196, 206)
 WORK_PLANE: Colour = (88, 104, 124)

@@ -11,8 +11,8 @@ from cli_helper import rapidsim
 from PIL import Image
 from rerun.chunk import RrdReader
 
+from rapidsim.colours import LIGHT
 from rapidsim.plots import write
-from rapidsim.plots.theme import LIGHT
 
 EXAMPLES = Path(__file__).parents[2] / "programs"
 KR10 = ("--robot", "kr10", "--tool", "0,0,160")

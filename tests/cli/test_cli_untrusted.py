@@ -13,6 +13,7 @@ import pytest
 
 from rapidsim.cli import viewer
 from rapidsim.cli.boundary import run_commands
+from rapidsim.colours import LIGHT
 from rapidsim.controller.cell import home_folder
 from rapidsim.language.errors import RapidError
 from rapidsim.language.files import FileMode
@@ -295,7 +296,7 @@ def test_the_viewer_is_not_looked_for_in_the_working_directory(here: Path) -> No
 
 def test_pictures_do_not_obey_a_file_in_the_working_directory() -> None:
     matplotlib = pytest.importorskip("matplotlib", reason="pictures need matplotlib")
-    from rapidsim.plots.theme import LIGHT, themed  # noqa: PLC0415
+    from rapidsim.plots.theme import themed  # noqa: PLC0415
 
     with matplotlib.rc_context({"text.usetex": True}), themed(LIGHT):
         assert not matplotlib.rcParams["text.usetex"]

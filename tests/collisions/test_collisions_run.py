@@ -12,8 +12,8 @@ from command_line import call
 
 import rapidsim
 from rapidsim.api.schemas import json_schema
+from rapidsim.colours import DARK
 from rapidsim.plots import write
-from rapidsim.plots.theme import DARK
 
 DOWN = "    MoveL Offs(over,0,0,{0}),v200,fine,tool0;"
 

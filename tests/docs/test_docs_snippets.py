@@ -22,10 +22,10 @@ from matplotlib.figure import Figure
 
 import rapidsim
 from rapidsim.cli.group import commands as command_group
+from rapidsim.colours import Colours
 from rapidsim.diagnostics import Source
 from rapidsim.plots import followed_pictures, posture_pictures
 from rapidsim.plots import write as plots_write
-from rapidsim.plots.theme import Theme
 from rapidsim.plots.write import write_pictures
 from rapidsim.station.read import read_station
 
@@ -153,7 +153,7 @@ def few_pictures(monkeypatch: pytest.MonkeyPatch) -> None:
     """Of pictures only the quick ones are drawn; the tests of `plots` draw all of them."""
 
     def write_few(
-        pictures: Mapping[str, Callable[[Theme], Figure | None]], folder: Path
+        pictures: Mapping[str, Callable[[Colours], Figure | None]], folder: Path
     ) -> tuple[Path, ...]:
         return write_pictures({name: pictures[name] for name in pictures if name in QUICK}, folder)
 

@@ -13,6 +13,7 @@ from matplotlib.figure import Figure
 
 import rapidsim
 from rapidsim.collisions.shape import Shape, box, cylinder, sphere
+from rapidsim.colours import LIGHT
 from rapidsim.frames.transform import Array
 from rapidsim.plots.cell_outline import (
     CellOutline,
@@ -23,7 +24,7 @@ from rapidsim.plots.cell_outline import (
 )
 from rapidsim.plots.path_picture import path_picture
 from rapidsim.plots.sampled_run import sample_run
-from rapidsim.plots.theme import LIGHT, themed
+from rapidsim.plots.theme import themed
 
 PROGRAMS = Path(__file__).parents[2] / "programs"
 ABOVE, SIDE = (0, 1), (0, 2)
@@ -88,7 +89,7 @@ def test_objects_stand_in_the_path_picture_and_what_is_hit_is_red() -> None:
     assert ran.collisions is not None
     names = [one.name for one in ran.collisions.objects.values() if one.name != "floor"]
     first = [one for one in cell.bodies if not one.is_later]
-    hit = {name for name, one in zip(names, first, strict=True) if one.colour == LIGHT.failed}
+    hit = {name for name, one in zip(names, first, strict=True) if one.colour == LIGHT.error}
     assert hit == {"door frame, right", "gripper", "part"}
     # The gripper and the part it carries are elsewhere at the end.
     assert len(cell.bodies) == len(names) + 2
@@ -101,7 +102,7 @@ def test_objects_stand_in_the_path_picture_and_what_is_hit_is_red() -> None:
             for one in axes.collections
             if isinstance(one, LineCollection)
         }
-        assert {LIGHT.failed, "#4a6fa5"} <= colours
+        assert {LIGHT.error, "#4a6fa5"} <= colours
 
 
 def test_a_run_without_objects_has_no_cell() -> None:

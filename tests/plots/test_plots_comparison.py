@@ -10,10 +10,11 @@ from hypothesis import strategies as st
 from laws import examples
 
 import rapidsim
+from rapidsim.colours import LIGHT
 from rapidsim.motion.configurations.confdata import configuration
 from rapidsim.plots.comparison_picture import ComparedMove, compared_moves, comparison_picture
 from rapidsim.plots.sampled_run import sample_run, target_name
-from rapidsim.plots.theme import LIGHT, themed
+from rapidsim.plots.theme import themed
 from rapidsim.simulation.results.simulation import Simulation
 
 ROOT = Path(__file__).parents[2]

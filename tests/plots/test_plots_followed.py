@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 from PIL import Image
 
+from rapidsim.colours import LIGHT
 from rapidsim.frames.transform import Transform
 from rapidsim.motion.robot.robot import load_robot
 from rapidsim.motion.waypoints.attitudes import attitude_rates
@@ -19,7 +20,7 @@ from rapidsim.plots.followed_pictures import (
     position_picture,
     write_followed_plots,
 )
-from rapidsim.plots.theme import LIGHT, themed
+from rapidsim.plots.theme import themed
 
 NAMES = ("way", "arm", "position", "joints", "deviation", "orientation")
 QUARTER_TURN = np.array([[0.0, 0.0, 1.0, 0.0], [0.0, 0.5**0.5, 0.5**0.5, 0.0]])

@@ -13,6 +13,7 @@ from matplotlib.patches import Rectangle
 from PIL import Image
 
 import rapidsim
+from rapidsim.colours import DARK, LIGHT
 from rapidsim.files import InputError
 from rapidsim.plots import write
 from rapidsim.plots.comparison_picture import comparison_picture
@@ -20,7 +21,7 @@ from rapidsim.plots.frames_picture import frames_picture
 from rapidsim.plots.lines_picture import lines_picture
 from rapidsim.plots.path_picture import path_picture
 from rapidsim.plots.sampled_run import pieces, sample_run
-from rapidsim.plots.theme import DARK, LIGHT, themed
+from rapidsim.plots.theme import themed
 from rapidsim.plots.time_pictures import joints_picture, speed_picture
 from rapidsim.plots.write import PICTURES, write_plots
 from rapidsim.simulation.results.simulation import Simulation

@@ -48,7 +48,7 @@ def test_what_the_arm_cannot_do_is_red_where_it_is_and_says_why(tmp_path: Path) 
     ((_, targets),) = rows(path, "/failed/targets")
     expected = [failed.base_from_tcp.translation for failed in run.only.failed_moves]
     assert np.allclose(targets["Points3D:positions"], expected, atol=1e-6)
-    assert targets["Points3D:colors"] == [0xFF4040FF]
+    assert targets["Points3D:colors"] == [0xFF6B62FF]
     ((_, ways),) = rows(path, "/failed/ways")
     assert len(ways["LineStrips3D:strips"]) == 1
     ((_, crosses),) = rows(path, "/failed/places")

@@ -9,12 +9,9 @@ from html import escape
 from rapidsim.applications.diff.changes import Comparison, TimeChange
 from rapidsim.applications.diff.path_views import path_views
 from rapidsim.applications.diff.rendering import ReportBlock, blocks, time_cells
+from rapidsim.colours import style_variables
 
 _STYLE = """
-:root { --page: #f4f5f7; --panel: #fff; --ink: #1b2330; --soft: #5c6675; --old: #8a93a1;
-  --new: #d97800; --rule: #dde1e7 }
-@media (prefers-color-scheme: dark) { :root { --page: #13161b; --panel: #1b1f26; --ink: #e6e9ee;
-  --soft: #98a2b1; --old: #7d8796; --new: #ffa12e; --rule: #2e3540 } }
 body { margin: 0 auto; max-width: 1000px; padding: 16px; background: var(--page);
   color: var(--ink); font: 15px/1.5 system-ui, sans-serif }
 h1 { font-size: 20px; overflow-wrap: anywhere } h2 { font-size: 16px }
@@ -31,8 +28,9 @@ figure { margin: 0; flex: 1 1 300px } svg { width: 100%; height: auto } figcapti
 svg line { stroke: var(--rule); stroke-width: 1 } svg text { fill: var(--soft); font-size: 12px }
 polyline { fill: none; stroke-width: 1.6; vector-effect: non-scaling-stroke }
 /* Wide, so that it is seen where both go the same way. */
-.old { stroke: var(--old); color: var(--old) } polyline.old { stroke-width: 5; opacity: 0.55 }
-.new { stroke: var(--new); color: var(--new) }
+.old { stroke: var(--programmed); color: var(--programmed) }
+polyline.old { stroke-width: 5; opacity: 0.55 }
+.new { stroke: var(--tcp); color: var(--tcp) }
 """
 
 
@@ -43,7 +41,7 @@ def comparison_page(comparison: Comparison) -> str:
     return (
         '<!doctype html><html lang="en"><head><meta charset="utf-8">'
         '<meta name="viewport" content="width=device-width, initial-scale=1">'
-        f"<title>{old} and {new}</title><style>{_STYLE}</style></head><body>"
+        f"<title>{old} and {new}</title><style>{style_variables()}{_STYLE}</style></head><body>"
         f"<h1>{old} &rarr; {new}</h1>{''.join(parts)}{_paths(comparison)}</body></html>\n"
     )
 

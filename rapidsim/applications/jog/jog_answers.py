@@ -14,6 +14,7 @@ import numpy as np
 
 from rapidsim.applications.jog.jog_cell import JogCell
 from rapidsim.applications.jog.posture_contacts import Nearness
+from rapidsim.colours import LIGHT
 from rapidsim.files import InputError
 from rapidsim.frames.transform import Array, Transform
 from rapidsim.language.data import ConfData, Orient, Pos, RobTarget, ToolData, WobjData
@@ -32,8 +33,6 @@ _NEAR_M: Final = 0.1
 """Distance [m] of bodies up to which it is shown."""
 _PLACES: Final = 13
 """Places of a step at which contacts are looked for."""
-_ARM: Final = "#f0781e"
-"""Colour of the links of an arm that has no picture of its own."""
 _PLAIN: Final = "#96a0ae"
 """Colour of other arms."""
 _SAME_RAD: Final = 1e-4
@@ -203,7 +202,7 @@ class JogAnswers:
         return body.label.robot == 0 and at not in self.cell.colours
 
     def _colour(self, at: int) -> str:
-        return self.cell.colours.get(at, _ARM if self._is_own(at) else _PLAIN)
+        return self.cell.colours.get(at, LIGHT.arm if self._is_own(at) else _PLAIN)
 
     def _places(self, joints: Array) -> list[dict[str, object]]:
         """Return where the drawn bodies stand in the base of the arm [mm]."""

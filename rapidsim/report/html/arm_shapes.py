@@ -19,6 +19,7 @@ import numpy as np
 import numpy.typing as npt
 
 from rapidsim.collisions.link_shapes import link_shapes
+from rapidsim.colours import LIGHT
 from rapidsim.frames.rotation_vectors import vector_from_rotation
 from rapidsim.frames.transform import Array, Transform
 from rapidsim.motion.robot.external_axes import with_unit
@@ -26,7 +27,6 @@ from rapidsim.motion.robot.robot import Robot
 from rapidsim.shipped import shipped
 
 _MM = 1000.0
-_OWN_COLOUR = "#f0781e"
 _TRIED = 0.5
 """[rad]"""
 _EXACT = 1e-6
@@ -151,7 +151,7 @@ def _own(robot: Robot) -> Iterator[tuple[int, str, Array]]:
     """Link, colour and corners (k, 3) [m] of the shapes that the user has."""
     for link in link_shapes(robot).links:
         for part in link.shape.parts:
-            yield link.number, _OWN_COLOUR, part.points
+            yield link.number, LIGHT.arm, part.points
 
 
 def _catalogue_shapes(robot: Robot, link_count: int) -> Iterator[tuple[int, str, Array]]:

@@ -11,6 +11,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from rapidsim.colours import SPEEDS
 from rapidsim.controller.journal.events import Event, EventKind
 from rapidsim.controller.journal.failed_moves import FailedMove
 from rapidsim.controller.moves.executed_move import ExecutedMove
@@ -49,7 +50,8 @@ def motion_data(simulation: Simulation) -> dict[str, object]:
     return {
         "end": round(end_s, 6),
         "step_ms": round(1000.0 * step_s),
-        "kinds": [kind.name for kind in DRAWN_KINDS],
+        "kinds": DRAWN_KINDS,
+        "speeds": SPEEDS,
         "frame": "world" if is_shown_in_world(simulation) else "base",
         "robots": [
             _robot(sampled(simulation, one, step_s, most_moves=MOST_MOVES)) for one in robots
@@ -142,7 +144,7 @@ def _move(move: ExecutedMove) -> list[object]:
     return [
         round(move.start_s, 4),
         round(move.end_s, 4),
-        MOVE_KINDS[move.move.interpolation].name,
+        MOVE_KINDS[move.move.interpolation],
         f"{move.move.instruction} {name[:_NAME_LETTERS]}",
         round(move.move.speed.v_tcp, 1),
         move.place.span.line,

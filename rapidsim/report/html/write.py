@@ -10,6 +10,7 @@ import json
 from collections.abc import Sequence
 from pathlib import Path
 
+from rapidsim.colours import style_variables
 from rapidsim.diagnostics import Diagnostic
 from rapidsim.output_files import whole_file
 from rapidsim.report.html import sections
@@ -19,7 +20,6 @@ from rapidsim.report.html.error_section import error_section
 from rapidsim.report.html.motion_data import motion_data
 from rapidsim.report.run.figures import figures
 from rapidsim.shipped import filled, shipped
-from rapidsim.simulation.results.move_kinds import DRAWN_KINDS
 from rapidsim.simulation.results.simulation import Simulation
 
 _SCRIPTS = ("data.js", "plot.js", "lanes.js", "path.js", "links.js", "arm.js", "page.js")
@@ -50,7 +50,7 @@ def report_page(simulation: Simulation, findings: Sequence[Diagnostic]) -> str:
     """The page as text."""
     parts = {
         "title": text(simulation.title),
-        "style": _colours_of_moves() + _shipped("style.css"),
+        "style": style_variables(":root.dark") + _shipped("style.css"),
         "head": sections.head(simulation),
         "summary": sections.summary(simulation, figures(simulation), findings),
         "findings": sections.findings(findings),
@@ -63,13 +63,6 @@ def report_page(simulation: Simulation, findings: Sequence[Diagnostic]) -> str:
         "script": "\n".join(_shipped(name) for name in _SCRIPTS),
     }
     return filled(_shipped("page.html"), parts)
-
-
-def _colours_of_moves() -> str:
-    """The variables of the style sheet that colour moves."""
-    light = "".join(f" --{kind.name}: {kind.on_light};" for kind in DRAWN_KINDS)
-    dark = "".join(f" --{kind.name}: {kind.on_dark};" for kind in DRAWN_KINDS)
-    return f":root {{{light} }}\n:root.dark {{{dark} }}\n"
 
 
 def _json(value: object) -> str:

@@ -8,6 +8,7 @@ from pathlib import Path
 from types import MappingProxyType
 from typing import Final
 
+from rapidsim.colours import style_variables
 from rapidsim.report import html
 from rapidsim.shipped import filled
 
@@ -31,7 +32,8 @@ HEADERS: Final = MappingProxyType(
 def page_file(name: str) -> bytes:
     """Return a file of the pages, or of the reports."""
     file = _FOLDER / name
-    return (file if file.is_file() else _SHARED / name).read_bytes()
+    content = (file if file.is_file() else _SHARED / name).read_bytes()
+    return style_variables().encode() + content if name == "style.css" else content
 
 
 def framed(title: str, content: bytes, styles: Iterable[str], scripts: Iterable[str]) -> bytes:

@@ -85,7 +85,7 @@ function drawTool(pen, flange, tcp) {
   pen.lineCap = "round";
   strip(pen, [flange, tcp]);
   pen.lineCap = "butt";
-  disc(pen, tcp, 4.5, colour("cursor"));
+  disc(pen, tcp, 4.5, colour("ink"));
 }
 
 // A slider for each joint; what they show is the run again as soon as it is played.

@@ -25,6 +25,7 @@ const objects = run.objects.map(packed => ({ ...packed, turn: packed.turn.map(co
 const topSpeed = Math.max(1e-9, ...robots.map(robot => robot.speed.reduce((a, b) => Math.max(a, b), 0)));
 
 const KINDS = run.kinds;
+const SPEEDS = run.speeds;
 const KIND_NAMES = { joint: "MoveJ", axes: "MoveAbsJ", line: "MoveL", circle: "MoveC", corner: "corner" };
 
 // Colours live in the style sheet, so that they follow light and dark.

@@ -4,7 +4,6 @@
 const look = { turn: -0.9, lift: 0.45, bySpeed: false };
 const farEye = { scale: 1, x: 0, y: 0, whole: true };
 const nearEye = { scale: 1, x: 0, y: 0, whole: false };
-const TURBO = ["#3e26a8", "#404ee6", "#2c7bf5", "#12a3dc", "#18beb4", "#50cd6e", "#b4cd32", "#facd32", "#ff8c28", "#ff4646"];
 
 function tcpAt(robot, i) {
   return [robot.tcp[0][i], robot.tcp[1][i], robot.tcp[2][i]];
@@ -82,7 +81,7 @@ function drawFloor(pen, at) {
 function drawTravelled(robot, pen, at) {
   const colours = KINDS.map(colour);
   const shade = i => look.bySpeed
-    ? TURBO[Math.min(Math.floor((robot.speed[i] / topSpeed) * TURBO.length), TURBO.length - 1)]
+    ? SPEEDS[Math.min(Math.floor((robot.speed[i] / topSpeed) * SPEEDS.length), SPEEDS.length - 1)]
     : colours[robot.kind[i]];
   pen.lineWidth = 2;
   let begin = 0;
@@ -169,7 +168,7 @@ function writeLegend(place) {
   };
   if (look.bySpeed) {
     place.append("0 ");
-    for (const tint of TURBO) add(tint, "");
+    for (const tint of SPEEDS) add(tint, "");
     place.append(" " + topSpeed.toFixed(0) + " mm/s");
     return;
   }

@@ -124,7 +124,7 @@ function drawTimeAxis(pen, width, top, bottom) {
 function drawNow(pen, width, top, bottom) {
   const x = timeToX(view.now, width);
   if (x < LEFT || x > width - RIGHT) return;
-  pen.strokeStyle = colour("cursor");
+  pen.strokeStyle = colour("ink");
   pen.lineWidth = 1;
   stroke(pen, x, top, x, bottom);
 }
