@@ -30,7 +30,7 @@ def collision_tile(simulation: Simulation) -> str:
     near = next(iter(clearance_records(simulation)), None)
     if hits:
         return tile(
-            "Collisions", f"{len(crashes) or len(hits)}", f"the first at {hits[0].time_s:.4f} s"
+            "Collisions", f"{len(crashes) or len(hits)}", f"the first at {hits[0].time_s:.3f} s"
         )
     if near is None:
         return tile("Smallest clearance", f"> {1000.0 * FARTHEST_M:g} mm")
@@ -49,7 +49,7 @@ def collision_section(simulation: Simulation) -> str:
         columns = [">time [s]", "bodies", "line", ">depth [mm]", ">at x, y, z [mm]", ""]
         touching = [
             (
-                f"{one.time_s:.4f}",
+                f"{one.time_s:.3f}",
                 prose(f"{one.first} and {one.second}"),
                 text(_line(one)),
                 "" if one.depth_mm is None else f"{one.depth_mm:.1f}",

@@ -56,7 +56,7 @@ def summary(simulation: Simulation, figures: Figures, findings: Sequence[Diagnos
     tiles = [
         tile("Cycle time", f"{simulation.time_s:.3f} s", _sensitivity(figures)),
         tile("Moving", f"{simulation.motion_s:.3f} s", f"waiting {simulation.wait_s:.3f} s"),
-        tile("Path of the TCP", f"{1000.0 * simulation.path_m:,.0f} mm"),
+        tile("Path of the TCP", f"{1000.0 * simulation.path_m:.1f} mm"),
         tile("Moves", f"{len(simulation.moves):,}", "; ".join(filter(None, (kinds, corners)))),
         tile("Findings", _counted(errors, "error"), _counted(warnings, "warning")),
     ]
@@ -239,7 +239,7 @@ def _share_row(
     return [
         *what,
         str(share.times),
-        f"{share.length_mm:,.1f}",
+        f"{share.length_mm:.1f}",
         *of_line,
         f"{share.seconds:.3f}",
         bar(width, waits=share.is_wait),

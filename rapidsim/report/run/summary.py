@@ -225,7 +225,7 @@ def _collisions(simulation: Simulation, collisions: Collisions) -> Text:
         times = "once" if count == 1 else f"{count} times, first"
         where = "" if first.file is None else f" at {Path(first.file).name}:{first.line}"
         text = Text(
-            f"{times} at {first.time_s:.4f} s{where}: {first.first} and {first.second}", "red"
+            f"{times} at {first.time_s:.3f} s{where}: {first.first} and {first.second}", "red"
         )
     elif near := next(iter(clearance_records(simulation)), None):
         where = "" if near.file is None else f" at {Path(near.file).name}:{near.line}"
