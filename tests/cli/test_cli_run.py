@@ -212,3 +212,45 @@ def test_tools_and_work_objects_that_are_missing_are_assumed_if_asked_for(tmp_pa
         "the tooldata `tGrip` is not declared; `tool0` is used instead",
         "the wobjdata `wBox` is not declared; `wobj0` is used instead",
     ]
+
+
+COURSE = """MODULE a
+  CONST robtarget p:=[[900,0,900],[0,0,1,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]];
+  VAR num n;
+  PROC main()
+    MoveJ p,v500,fine,tool0;
+    FOR i FROM 1 TO 2 DO
+      SetDO doGrip,i MOD 2;
+      WaitTime 0.25;
+      TPWrite "part " \\Num:=i;
+    ENDFOR
+    MoveL Offs(p,0,0,100),v100,z10,tool0;
+    MoveL p,v100,fine,tool0;
+    n:=1/0*n;
+  ENDPROC
+ENDMODULE
+"""
+
+
+def test_verbose_prints_the_course_of_the_run_in_order_of_time(tmp_path: Path) -> None:
+    (tmp_path / "rapidsim.toml").write_text('[signals]\ndoGrip = { type = "do" }\n')
+    plain, verbose = run(tmp_path, COURSE), run(tmp_path, COURSE, "-v")
+    said = [
+        line.strip().split("  ", 2) for line in verbose.out.partition("happened\n")[2].splitlines()
+    ]
+    moves = [(place, re.sub(r"[0-9.]+ (s|mm)", r"# \1", what)) for _, place, what in said]
+    assert moves == [
+        ("a.mod:5", "MoveJ p: # s, # mm, stop"),
+        ("a.mod:7", "doGrip = 1"),
+        ("a.mod:8", "WaitTime # s: # s, ended by the time"),
+        ("a.mod:9", "part 1"),
+        ("a.mod:7", "doGrip = 0"),
+        ("a.mod:8", "WaitTime # s: # s, ended by the time"),
+        ("a.mod:9", "part 2"),
+        ("a.mod:11", "MoveL Offs(p,0,0,100): # s, # mm, fly-by"),
+        ("a.mod:12", "MoveL p: # s, # mm, stop"),
+        ("a.mod:13", "ERR_DIVZERO: division by zero; ended the program"),
+    ]
+    times = [float(time_s) for time_s, _, _ in said]
+    assert times == sorted(times)
+    assert "happened" not in plain.out

@@ -20,6 +20,7 @@ from rapidsim.json_records.encoding import json_of
 from rapidsim.report.findings.merging import errors_first, merged
 from rapidsim.report.findings.source_frame import printable
 from rapidsim.report.findings.text import summary_line
+from rapidsim.report.run.course_text import course_lines
 from rapidsim.report.run.figures import Figures
 from rapidsim.report.run.json_report import RunFiles, rejected_report, run_json
 from rapidsim.report.run.summary import ASCII_BARS, BLOCK_BARS, OutputFile, summary
@@ -134,6 +135,10 @@ def _print_summary(
             bars=ASCII_BARS if plain else BLOCK_BARS,
         )
     )
+    if terminal.verbose:
+        echo("")
+        for line in course_lines(done.simulation):
+            echo(line)
     if done.timings is not None:
         echo(done.timings.text)
     if done.profile:

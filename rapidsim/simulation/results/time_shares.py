@@ -89,6 +89,11 @@ def instruction_of(step: Step) -> str:
     return found[0] if found else ""
 
 
+def goal_of(step: Step) -> str:
+    """Name of the target of a move; the condition of a wait."""
+    return end_point(step.place) if isinstance(step, ExecutedMove) else step.awaited
+
+
 def argument(place: Place, *names: str) -> str | None:
     """Source text of the first argument of a call among names; None if it has none of them."""
     given = (place.arguments.get(name) for name in names)
@@ -120,7 +125,7 @@ def _share(steps: list[Step]) -> Share:
         task=first.task,
         place=first.place,
         instruction=instruction_of(first),
-        goal=end_point(first.place) if isinstance(first, ExecutedMove) else first.awaited,
+        goal=goal_of(first),
         is_wait=not moves,
         seconds=sum(step.end_s - step.start_s for step in steps),
         length_mm=1000.0 * sum(move.length_m for move in moves),
