@@ -57,6 +57,13 @@ def diff(place: Path, *arguments: str) -> Ended:
     return ended
 
 
+def test_a_whole_commit_id_is_shown_short(repository: Path) -> None:
+    head = (repository / ".git" / "refs" / "heads").rglob("*")
+    commit = next(file for file in head if file.is_file()).read_text().strip()
+    report = json.loads(diff(repository / "cells", "--git", commit, "one", "--format", "json").out)
+    assert report["names"] == [f"{commit[:10]}:cells/one", "one"]
+
+
 @pytest.mark.parametrize(
     ("place", "path"),
     [(".", "cells/one"), ("cells/one", "."), ("cells", "one"), (".", "."), ("cells/one", None)],

@@ -24,6 +24,8 @@ _MOST_BYTES = 200_000_000
 _MOST_FILES = 20_000
 _SECONDS = 60
 _ABSENT = -1
+_SHOWN_DIGITS = 10
+"""Digits of a whole commit id that are shown."""
 _OPTIONS = (
     "--no-pager",
     "--no-replace-objects",
@@ -116,7 +118,8 @@ def checked_out(revision: str, path: str) -> Iterator[Revision]:
         (folder / FILE_NAME).touch()
         named = str(folder.joinpath(*below.parts))
         suffix = path[len(str(named_file(path))) :] if str(named_file(path)) != path else ""
-        yield Revision(named + suffix, folder, revision, str(station) if is_above else None)
+        name = commit[:_SHOWN_DIGITS] if revision.lower() == commit else revision
+        yield Revision(named + suffix, folder, name, str(station) if is_above else None)
 
 
 def _needed(entries: list[_Entry], below: PurePosixPath, *, is_folder: bool) -> list[_Entry]:
