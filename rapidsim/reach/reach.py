@@ -9,6 +9,7 @@ import numpy as np
 
 from rapidsim.analysis.program import Program
 from rapidsim.diagnostics import Diagnostic, Severity, Span
+from rapidsim.findings.collisions import is_of_cell
 from rapidsim.frames.transform import Array
 from rapidsim.motion.kinematics.arm import Mask
 from rapidsim.motion.numba_jit import jit_reconsidered
@@ -229,7 +230,10 @@ def _not_sure(
 
 @dataclass(eq=False)
 class _FindingKeys:
-    """Keys that identify findings by rule and move: equal ones of a move are reported once."""
+    """Keys that identify findings by rule and move: equal ones of a move are reported once.
+
+    Crashes and faults of parts are events of a run, which may have several at a move.
+    """
 
     walked: WalkedProgram
 
@@ -249,12 +253,8 @@ class _FindingKeys:
             of_run: Findings of the run of main.
             met: The moves that it made, or at which it ended.
         """
-        ran = {
-            (one.code, self._move_of(one.span)): one.violation
-            for one in of_run
-            if one.severity is Severity.ERROR
-        }
-        stopped = {move for _, move in ran}
+        ran = {self._key(one): one.violation for one in of_run if one.severity is Severity.ERROR}
+        stopped = {move for _, move, _ in ran}
         times = np.bincount(self.walked.moves.instruction, minlength=1)
         made = {
             (module.source.file, call.start)
@@ -262,18 +262,18 @@ class _FindingKeys:
             if number < len(times) and times[number] == 1
             for call, module in [self.walked.written[number]]
         } - stopped
-        said: set[tuple[str, object]] = set()
+        said: set[tuple[str, object, str]] = set()
         first: list[Diagnostic] = []
         others: list[Diagnostic] = []
         for diagnostic in diagnostics:
-            code, move = diagnostic.violation.code, self._move_of(diagnostic.span)
+            key = code, move, _ = self._key(diagnostic)
             ends_run = diagnostic.violation.severity is Severity.ERROR
-            if (code, move) in said or (code in _SAID_BY_TEXT and not ends_run):
+            if key in said or (code in _SAID_BY_TEXT and not ends_run):
                 continue
             if code in _FAULTS_OF_PATHS and move in made:
                 continue
-            said.add((code, move))
-            known = ran.get((code, move))
+            said.add(key)
+            known = ran.get(key)
             if known is None:
                 others.append(diagnostic)
             elif known.message == diagnostic.message:
@@ -281,6 +281,10 @@ class _FindingKeys:
             else:
                 first.append(replace(diagnostic, violation=known))
         return first + others
+
+    def _key(self, finding: Diagnostic) -> tuple[str, object, str]:
+        event = finding.message if is_of_cell(finding) else ""
+        return finding.violation.code, self._move_of(finding.span), event
 
     def _move_of(self, span: Span | None) -> object:
         if span is None:

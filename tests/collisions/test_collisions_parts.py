@@ -133,6 +133,68 @@ def test_a_run_records_its_parts_as_json(tmp_path: Path) -> None:
     ]
 
 
+HIGH = """MODULE high
+  CONST robtarget pPick:=[[650,-300,520],[0,0,1,0],[-1,0,-1,0],[9E9,9E9,9E9,9E9,9E9,9E9]];
+  CONST robtarget pDrop:=[[650,300,700],[0,0,1,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]];
+  PROC main()
+    FOR n FROM 1 TO 3 DO
+      MoveJ pPick,v1000,fine,tool0;
+      SetDO doGrip,1;
+      WaitTime 0.1;
+      MoveL Offs(pPick,0,0,200),v1000,fine,tool0;
+      MoveJ pDrop,v1000,fine,tool0;
+      SetDO doGrip,0;   ! 300 mm above the pallet
+      WaitTime 1;
+    ENDFOR
+  ENDPROC
+ENDMODULE
+"""
+HIGH_CELL = """[robot]
+model = "irb1600-6-1.2"
+[signals]
+doGrip = { type = "do" }
+[[object]]
+name = "pallet"
+box = [300, 300, 40]
+pose = { position = [650, 300, 300] }
+[[object]]
+name = "part"
+box = [50, 50, 60]
+pose = { position = [650, -300, 480] }
+[[source]]
+object = "part"
+at = 0
+every = 3
+[[attach]]
+when = "doGrip = 1"
+object = "part*"
+to = "tool"
+"""
+
+
+def test_several_faults_at_one_line_are_all_in_the_check(tmp_path: Path) -> None:
+    (tmp_path / "rapidsim.toml").write_text(HIGH_CELL)
+    (tmp_path / "high.mod").write_text(HIGH)
+    made = rapidsim.load(tmp_path / "high.mod")
+    run = made.run()
+    checked = [one for one in made.check().diagnostics if one.code[0] == "C"]
+    expected = [("C101", 10), ("C105", 11), ("C107", 11), ("C107", 11)]
+    assert [(one.code, one.line) for one in checked] == expected
+    assert [one.message for one in checked] == [
+        one.message for one in run.simulation.diagnostics if one.code[0] == "C"
+    ]
+
+
+def test_the_summary_names_the_crash_that_is_reported(tmp_path: Path) -> None:
+    # The contact of the second part is that of a place that is taken, which is no crash.
+    (tmp_path / "rapidsim.toml").write_text(HIGH_CELL)
+    (tmp_path / "high.mod").write_text(HIGH.replace("Offs(pPick,0,0,200)", "Offs(pPick,0,0,20)"))
+    ended = call("run", "high.mod", "--no-record", cwd=tmp_path)
+    (crash,) = re.findall(r"collision: (`.*`) hits (`.*`) at ([0-9.]+) s", ended.out)
+    assert f"once at {crash[2]} s at high.mod:" in ended.out
+    assert f": {crash[0]} and {crash[1]}" in ended.out
+
+
 WRONG = """
 [[object]]
 name = "part"

@@ -12,6 +12,7 @@ from rapidsim.report.run.collision_records import (
     PartEventRecord,
     clearance_records,
     contact_records,
+    crash_records,
     part_event_records,
 )
 from rapidsim.report.run.summary import shape_margins
@@ -26,12 +27,9 @@ def collision_tile(simulation: Simulation) -> str:
     """Whether anything was hit, and how near bodies came; empty where nothing is judged."""
     if simulation.collisions is None:
         return ""
-    hits, crashes = simulation.collisions.hits, simulation.collisions.crashes
     near = next(iter(clearance_records(simulation)), None)
-    if hits:
-        return tile(
-            "Collisions", f"{len(crashes) or len(hits)}", f"the first at {hits[0].time_s:.3f} s"
-        )
+    if crashes := crash_records(simulation):
+        return tile("Collisions", f"{len(crashes)}", f"the first at {crashes[0].time_s:.3f} s")
     if near is None:
         return tile("Smallest clearance", f"> {1000.0 * FARTHEST_M:g} mm")
     between = f"{near.first}, {near.second}".replace("`", "")

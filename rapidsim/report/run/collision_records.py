@@ -160,6 +160,16 @@ def contact_records(simulation: Simulation) -> tuple[ContactRecord, ...]:
     return tuple(_contact(simulation, one, pose) for one, pose in zip(contacts, poses, strict=True))
 
 
+def crash_records(simulation: Simulation) -> tuple[ContactRecord, ...]:
+    """The contact that each crash begins with, in order of time; all contacts if none is one."""
+    found = simulation.collisions
+    if found is None:
+        return ()
+    begins = {id(first) for first, *_ in found.crashes} or set(map(id, found.hits))
+    pairs = zip(found.report.contacts, contact_records(simulation), strict=True)
+    return tuple(record for contact, record in pairs if id(contact) in begins)
+
+
 def clearance_records(simulation: Simulation) -> tuple[ClearanceRecord, ...]:
     """Least clearance of each move with a body nearby, the worst first."""
     if simulation.collisions is None:

@@ -22,7 +22,7 @@ from rapidsim.language.error_answers import ErrorOutcome
 from rapidsim.motion.robot.external_axes import with_unit
 from rapidsim.motion.robot.robot import LARGEST_EXCESS, Robot
 from rapidsim.report.findings.source_frame import printable
-from rapidsim.report.run.collision_records import clearance_records, contact_records
+from rapidsim.report.run.collision_records import clearance_records, crash_records
 from rapidsim.report.run.error_records import errors_text
 from rapidsim.report.run.figures import Figures, JointMargin, OffPath, SingularityMargin
 from rapidsim.report.run.long_programs import long_program_text
@@ -219,10 +219,9 @@ def _singularity(singularity: SingularityMargin, *, several: bool) -> Text:
 
 def _collisions(simulation: Simulation, collisions: Collisions) -> Text:
     """The first contact, or how near bodies came, and what the shapes are worth."""
-    contacts = [one for one in contact_records(simulation) if not one.continued]
-    if contacts:
-        first, count = contacts[0], len(collisions.crashes) or len(contacts)
-        times = "once" if count == 1 else f"{count} times, first"
+    if crashes := crash_records(simulation):
+        first = crashes[0]
+        times = "once" if len(crashes) == 1 else f"{len(crashes)} times, first"
         where = "" if first.file is None else f" at {Path(first.file).name}:{first.line}"
         text = Text(
             f"{times} at {first.time_s:.3f} s{where}: {first.first} and {first.second}", "red"
