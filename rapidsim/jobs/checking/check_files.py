@@ -35,7 +35,11 @@ from rapidsim.jobs.inputs.selection import Selection, choose_selection
 from rapidsim.language.error_numbers import ERR_UNKINO, event_of
 from rapidsim.module_files import TaskFiles
 from rapidsim.reach.checked_moves import MOST_MOVES, Coverage, ReachReport, UncheckedMove
-from rapidsim.reach.dataflow.written_moves import RunNotFollowedError, written_moves
+from rapidsim.reach.dataflow.written_moves import (
+    RunNotFollowedError,
+    written_move_count,
+    written_moves,
+)
 from rapidsim.station.tasks import DEFAULT_TASK
 from rapidsim.syntax.garbage_collection import gc_rarely
 from rapidsim.syntax.parser import may_have_runs
@@ -151,7 +155,7 @@ def _with_arm(
     job: Job, loaded: Sequence[LoadedProgram], rules: Sequence[Find]
 ) -> tuple[Job, tuple[LoadedProgram, ...]]:
     """Return the job with its arm, and its tasks as they were loaded for this choice."""
-    has_moves = any(written_moves(one.files) for one in loaded)
+    has_moves = any(written_move_count(one.files) for one in loaded)
     if job.is_arm_named or not job.request.reach or not has_moves:
         return job, tuple(loaded)
     # A program without moves imports no arm.
@@ -331,16 +335,20 @@ def _disagreements(tasks: Sequence[LoadedProgram]) -> tuple[Diagnostic, ...]:
 def _moves_checked(
     loaded: LoadedProgram, task: str, moves: CheckMoves | None, always: bool, cell: CellNames
 ) -> ReachReport:
-    written = written_moves(loaded.files)
+    has_moves = written_move_count(loaded.files) > 0
     why = "not requested" if moves is None else "the program cannot run as it is"
     program = loaded.program
-    if moves is not None and program is not None and (written or always or _may_end_badly(program)):
+    if (
+        moves is not None
+        and program is not None
+        and (has_moves or always or _may_end_badly(program))
+    ):
         report = moves(program, task, runs=True)
         if isinstance(report, ReachReport):
             return report
         why = report
     part = None
-    if written and moves is not None and loaded.program is None:
+    if has_moves and moves is not None and loaded.program is None:
         part = error_free_subset(loaded, cell)
     if part is not None and moves is not None:
         # The moves that are known statically, for the program cannot run.
@@ -349,10 +357,10 @@ def _moves_checked(
             replaced = {(one.file, one.start) for one in part.replaced}
             faulty = tuple(
                 UncheckedMove(span, "there is an error in it")
-                for span in written
+                for span in written_moves(loaded.files)
                 if (span.file, span.start) in replaced
             )
             return replace(report, coverage=report.coverage + Coverage(unchecked=faulty))
         why = report
-    unchecked = tuple(UncheckedMove(span, why) for span in written)
+    unchecked = tuple(UncheckedMove(span, why) for span in written_moves(loaded.files))
     return ReachReport((), Coverage(unchecked=unchecked))

@@ -15,7 +15,7 @@ from rapidsim.jobs.checking.checked_program import LoadedProgram, load_task
 from rapidsim.library.traits import Trait
 from rapidsim.module_files import TaskFiles
 from rapidsim.reach.dataflow.side_effects import ProgramEffects
-from rapidsim.reach.dataflow.written_moves import written_moves
+from rapidsim.reach.dataflow.written_moves import written_move_count
 from rapidsim.station.tasks import DEFAULT_TASK
 from rapidsim.syntax import tree
 from rapidsim.values import value_class
@@ -87,7 +87,7 @@ def load_tasks(
     if conflicts or len(programs) < len(tasks):
         return LoadedTasks((), diagnostics)
     named = tuple(
-        LoadedTask(task.name or DEFAULT_TASK, program, len(written_moves(one.files)))
+        LoadedTask(task.name or DEFAULT_TASK, program, written_move_count(one.files))
         for task, one, program in zip(tasks, loaded, programs, strict=True)
     )
     return LoadedTasks(named, diagnostics)

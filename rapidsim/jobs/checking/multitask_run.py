@@ -14,7 +14,7 @@ from rapidsim.jobs.inputs.entry import require_entry
 from rapidsim.jobs.inputs.job import Job
 from rapidsim.module_files import TaskFiles
 from rapidsim.reach.checked_moves import MOST_MOVES_FOR_ERRORS
-from rapidsim.reach.dataflow.written_moves import written_moves
+from rapidsim.reach.dataflow.written_moves import written_move_count
 from rapidsim.station.tasks import DEFAULT_TASK
 
 if TYPE_CHECKING:
@@ -31,7 +31,7 @@ def multitask_findings(
         tasks: Its tasks as read and loaded.
     """
     named = [
-        LoadedTask(task.name or DEFAULT_TASK, one.program, len(written_moves(one.files)))
+        LoadedTask(task.name or DEFAULT_TASK, one.program, written_move_count(one.files))
         for task, one in tasks
         if one.program is not None
     ]

@@ -32,7 +32,7 @@ from rapidsim.module_files import (
     read_tasks,
 )
 from rapidsim.motion.robot.robot import load_robot
-from rapidsim.reach.dataflow.written_moves import written_moves
+from rapidsim.reach.dataflow.written_moves import written_move_count
 from rapidsim.station.backup.standalone_configuration import (
     StandaloneConfiguration,
     loose_configuration,
@@ -203,7 +203,7 @@ def _suggested(tasks: Sequence[TaskFiles], trees: Sequence[tree.File], io: CellI
     return Suggestions(
         stimuli=stimuli,
         undriven=other_undriven(texts, io, stimuli),
-        objects=bool(written_moves(trees)),
+        objects=bool(written_move_count(trees)),
     )
 
 
@@ -304,7 +304,7 @@ def _module(file: SourceFile) -> _Module:
     )
     has_main = any(isinstance(item, tree.Proc) and item.name.key == _MAIN for item in items)
     uses = frozenset(name.lower() for name in _NAME.findall(_COMMENT.sub("", file.text)))
-    return _Module(file, declares, uses, has_main, bool(written_moves([parsed])))
+    return _Module(file, declares, uses, has_main, bool(written_move_count([parsed])))
 
 
 def _undeclared(

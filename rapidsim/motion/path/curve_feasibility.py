@@ -32,6 +32,8 @@ _MOST_CELLS = 200
 _HALVINGS = 14
 """Bisections of a steep cell: 50 mm become 3 micrometres."""
 _PAST_LIMIT = 1e-6
+_NEARLY = 0.99
+"""Share of an axis's speed from which on its use is computed exactly."""
 _NEAR = {"wrist": np.sin(np.radians(10.0)), "elbow": np.sin(np.radians(6.0)), "shoulder": 0.15}
 """`Singularity.distance` below which an axis may be limited by a singularity."""
 
@@ -124,15 +126,19 @@ def _hold_ups(
 ) -> dict[int, SpeedBottleneck]:
     """Return, by path, the point where an axis most exceeds its speed; only paths that have one."""
     joints, all_rows = nodes.joints[:, : robot.kinematics.joint_count], nodes.curve
+    speed = of_each(segments, attrgetter("speed.tcp", "speed.reorientation"))
+    near = np.flatnonzero(_may_be_held_up(curves, arms, nodes, joints / max_speed, speed)[all_rows])
+    if not len(near):
+        return {}
+    joints, all_rows, places = joints[near], all_rows[near], nodes.place[near]
     row = all_rows[1:]
-    motion = curves.at(all_rows, nodes.place * curves.length[all_rows])
+    motion = curves.at(all_rows, places * curves.length[all_rows])
     flange = arms.base_from_flange(motion, all_rows, curves.start_joints[all_rows])
     tcp = flange @ arms.tcp_from_flange[all_rows].inverse()
     way = np.linalg.norm(np.diff(tcp.translation, axis=0), axis=-1)
     before, after = tcp.rotation[:-1], tcp.rotation[1:]
     turn = np.linalg.norm(vector_from_rotation(after @ np.swapaxes(before, -1, -2)), axis=-1)
-    speed = of_each(segments, attrgetter("speed.tcp", "speed.reorientation"))[row]
-    time = np.maximum(way / speed[:, 0], turn / speed[:, 1])
+    time = np.maximum(way / speed[row, 0], turn / speed[row, 1])
     timed = of_each(segments, lambda segment: segment.duration is not None)[row]
     # With a carrier the speed is that in its frame, and external axes take part in it.
     counts = (row == all_rows[:-1]) & (time > 0.0) & ~timed & ~arms.carried_rows[row]
@@ -146,10 +152,35 @@ def _hold_ups(
         found[int(row[at])] = SpeedBottleneck(
             axis + 1,
             1.0 / float(worst[at]),
-            0.5 * float(nodes.place[at] + nodes.place[at + 1]),
+            0.5 * float(places[at] + places[at + 1]),
             near_singularity(robot, middle),
         )
     return found
+
+
+def _may_be_held_up(
+    curves: Curves, arms: JointMapper, nodes: Nodes, full_speed_s: Array, speed: Array
+) -> Mask:
+    """Mask of the paths (m,) on which an axis may exceed its speed.
+
+    Path and orientation of a line proceed evenly, so their time follows without the pose of the
+    tool. Arcs, and lines whose frame moves, are not decided here.
+
+    Args:
+        curves: The paths.
+        arms: What the arm carries on them.
+        nodes: Nodes (k,) on all of them.
+        full_speed_s: Joints at the nodes, divided by their speeds, shape (k, n).
+        speed: Programmed speeds of the TCP [m/s] and of the orientation [rad/s], shape (m, 2).
+    """
+    uneven = curves.frame_turn.any(axis=-1) | curves.detour.any(axis=-1) | arms.carried_rows
+    turn = np.linalg.norm(curves.tool_turn, axis=-1)
+    whole_s = np.maximum(curves.travel / speed[:, 0], turn / speed[:, 1])
+    row, step = nodes.curve[1:], np.diff(nodes.place)
+    needed_s = np.abs(np.diff(full_speed_s, axis=0)).max(axis=-1)
+    held = (row == nodes.curve[:-1]) & (needed_s > _NEARLY * step * whole_s[row])
+    uneven[row[held]] = True
+    return uneven
 
 
 def near_singularity(robot: Robot, joints: Array) -> str | None:

@@ -18,23 +18,35 @@ class RunNotFollowedError(Exception):
     """The moves of bulk statements are unknown or not as written: examine them one by one."""
 
 
-def written_moves(files: Sequence[tree.File]) -> tuple[Span, ...]:
-    """Return the source positions of all move instructions; files may have errors."""
-    runs: dict[tree.Statement, tree.BulkStatements] = {
-        run.like: run for file in files for module in file.modules for run in module.runs
-    }
+def written_moves(files: Sequence[tree.File]) -> Iterator[Span]:
+    """Yield the source positions of all move instructions; files may have errors."""
+    for module, call, run in _calls(files):
+        yield module.span(call)
+        if run is not None:
+            yield from map(module.span, run.rows())
+
+
+def written_move_count(files: Sequence[tree.File]) -> int:
+    """Return the number of move instructions."""
+    return sum(1 if run is None else 1 + len(run) for _, _, run in _calls(files))
+
+
+def _calls(
+    files: Sequence[tree.File],
+) -> Iterator[tuple[tree.Module, tree.Call, tree.BulkStatements | None]]:
+    """Yield the calls of move instructions in the tree, and the bulk statements like them."""
     modules = [module for file in files for module in file.modules]
+    runs: dict[tree.Statement, tree.BulkStatements] = {
+        run.like: run for module in modules for run in module.runs
+    }
     hidden = {routine.name.key for module in modules for routine in module.routines}
-    return tuple(
-        module.span(one)
-        for module in modules
-        for routine in module.routines
-        for node in statements(*clauses(routine))
-        if isinstance(node, tree.Call)
-        and node.name.key not in hidden
-        and Trait.MOVE in does(installed_symbol(node.name.key))
-        for one in (node, *(runs[node].rows() if node in runs else ()))
-    )
+    for module in modules:
+        for routine in module.routines:
+            for node in statements(*clauses(routine)):
+                if not isinstance(node, tree.Call) or node.name.key in hidden:
+                    continue
+                if Trait.MOVE in does(installed_symbol(node.name.key)):
+                    yield module, node, runs.get(node)
 
 
 def targets_by_wobj(program: Program) -> dict[str, tuple[str, ...]]:
