@@ -31,6 +31,9 @@ from rapidsim.recording.timelines import Clock
 from rapidsim.recording.transforms import BASE, moving_frame, static_frame
 from rapidsim.values import value_class
 
+_AT_ONCE = 1 << 14
+"""Instants whose frames are computed at once, which bounds the memory."""
+
 ENTITY = "robot"
 FLANGE = "tool0"
 """RAPID's name of the flange."""
@@ -175,17 +178,19 @@ def _chain(robot: Robot, tree: UrdfTree | None, prefix: str) -> Chain:
 def log_motion(stream: rr.RecordingStream, run: MovingArm, chain: Chain) -> None:
     """Log one edge per joint, from the previous link."""
     samples = run.samples
-    base_from_link = run.robot.kinematics.link_frames(samples.joints)
-    index = run.clock.columns(samples.times)
-    parent, base_from_parent = run.frame(BASE), Transform.identity()
-    for k, frame in enumerate(chain.link_frames):
-        parent_from_link = base_from_parent.inverse() @ base_from_link[:, k]
-        stream.send_columns(
-            _entity(run, "joints", chain.joint_names[k]),
-            indexes=index,
-            columns=moving_frame(parent, frame, parent_from_link),
-        )
-        parent, base_from_parent = frame, base_from_link[:, k]
+    for first in range(0, len(samples.times), _AT_ONCE):
+        at = slice(first, first + _AT_ONCE)
+        base_from_link = run.robot.kinematics.link_frames(samples.joints[at])
+        index = run.clock.columns(samples.times[at])
+        parent, base_from_parent = run.frame(BASE), Transform.identity()
+        for k, frame in enumerate(chain.link_frames):
+            parent_from_link = base_from_parent.inverse() @ base_from_link[:, k]
+            stream.send_columns(
+                _entity(run, "joints", chain.joint_names[k]),
+                indexes=index,
+                columns=moving_frame(parent, frame, parent_from_link),
+            )
+            parent, base_from_parent = frame, base_from_link[:, k]
     stream.log(
         _entity(run, "flange"),
         static_frame(chain.link_frames[-1], run.frame(FLANGE), last_link_from_flange(run.robot)),
