@@ -132,7 +132,7 @@ def check_reach(
     paths, unchecked_paths = _paths(placed, ends, ways, beginning, met)
     coverage = replace(
         _coverage(walked, placed, ends, told, left_out),
-        main_left_out=of_main.left_out,
+        main_left_out=run_of_main.left_out,
         paths=paths,
         unchecked_paths=unchecked_paths,
     )

@@ -87,6 +87,8 @@ class RunMoves:
     scene: Scene | None = None
     """Bodies of the cell, with the pairs in which neither is ever carried; None if the station
     describes no bodies."""
+    left_out: str = ""
+    """See `Coverage.main_left_out`."""
 
     @property
     def end_joints(self) -> Iterator[Array]:
@@ -160,6 +162,7 @@ def run_for_moves(
         else "a time that is not known: its run stopped before the end",
         f"does not tell: {_ENDS[run.end]}",
         None if run.collisions is None else run.collisions.uncarried,
+        _cut_off(run, limited),
     )
 
 
@@ -204,7 +207,7 @@ def run_for_error(
     moves = [module.span(call) for call, module in walked.written]
     errors = (one for one in run.diagnostics if _ends_or_doubts(one, moves))
     found = tuple(_as_sure(one, run, (program,), options, moves) for one in errors)
-    return ErrorRun(found, "", met)
+    return ErrorRun(found, _cut_off(run, limited), met)
 
 
 def _met(run: Simulation, walked: WalkedProgram) -> frozenset[int]:
@@ -236,6 +239,8 @@ class CellRun:
     lacks, or takes too long."""
     of_bodies: tuple[Diagnostic, ...] | None
     """Findings on the bodies of the cell as far as it went; None if the station has none."""
+    left_out: str = ""
+    """See `Coverage.main_left_out`."""
 
 
 def run_all_tasks(setups: Sequence[TaskSetup], options: RunOptions) -> CellRun | None:
@@ -258,7 +263,7 @@ def run_all_tasks(setups: Sequence[TaskSetup], options: RunOptions) -> CellRun |
     errors = [one for one in run.diagnostics if one.severity is Severity.ERROR]
     errors = [one for one in errors if not is_of_cell(one)]
     if run.end is End.TIME_LIMIT and not errors:
-        return CellRun(None, of_bodies)
+        return CellRun(None, of_bodies, _cut_off(run, limited))
     reported = tuple(_as_sure(one, run, programs, options) for one in errors if not _of_text(one))
     return CellRun(reported, of_bodies)
 
@@ -289,6 +294,14 @@ def _alone(options: RunOptions, home: str, *, guesses_frames: bool = True) -> Ru
         network=None,
         guesses_frames=guesses_frames,
     )
+
+
+def _cut_off(run: Simulation, limits: RunOptions) -> str:
+    """Return that a run ended at the limit on the computer's clock; empty if it did not."""
+    if run.end is not End.TIME_LIMIT or run.time_s >= limits.max_time_s:
+        return ""
+    spent = f"{limits.max_wall_s:g} s of this computer's time"
+    return f"it was cut off after {spent}, at {run.time_s:.3f} s; `rapidsim run` makes it"
 
 
 def _lacked(run: Simulation, programs: Sequence[Program]) -> bool:

@@ -172,7 +172,7 @@ def test_a_check_that_leaves_out_the_run_of_main_says_so(
     (folder / "cell.mod").write_text(UNRUN.format(statement=statement))
     done = rapidsim("check", "cell.mod", "--robot", "irb1600", cwd=folder)
     assert done.code == 0
-    assert "Trial run skipped: " in done.out
+    assert "No whole trial run: " in done.out
     assert why in " ".join(done.out.split())
     told = rapidsim("check", "cell.mod", "--output-format", "json", cwd=folder)
     assert why in json.loads(told.out)["coverage"]["main_left_out"]
@@ -180,11 +180,26 @@ def test_a_check_that_leaves_out_the_run_of_main_says_so(
     assert "R101" in rapidsim_run.out + rapidsim_run.err
 
 
+@pytest.mark.parametrize("target", ["p", "Offs(p,0,0,zero)"])
+def test_a_check_whose_run_of_main_takes_too_long_says_so(
+    folder: Path, monkeypatch: pytest.MonkeyPatch, target: str
+) -> None:
+    # A loaded computer gets less far in the time that a run may take, perhaps not to the error.
+    for limit in ("LONGEST_WORK_S", "LONGEST_WORK_FOR_ERRORS_S"):
+        monkeypatch.setattr(trial_run, limit, 0.05)
+    statement = f"WHILE zero<1E9 DO Incr zero; ENDWHILE MoveJ {target},v500,fine,tool0;"
+    (folder / "cell.mod").write_text(UNRUN.format(statement=statement))
+    done = rapidsim("check", "cell.mod", "--robot", "irb1600", cwd=folder)
+    assert "No whole trial run: it was cut off after 0.05 s of this computer's time" in " ".join(
+        done.out.split()
+    )
+
+
 def test_nothing_is_said_of_a_run_that_was_made(folder: Path) -> None:
     (folder / "cell.mod").write_text(UNRUN.format(statement=""))
     done = rapidsim("check", "cell.mod", "--robot", "irb1600", cwd=folder)
     assert done.code == 1
-    assert "Trial run skipped" not in done.out
+    assert "No whole trial run" not in done.out
 
 
 def test_a_work_object_that_something_unknown_moves_is_not_judged_by_its_text(

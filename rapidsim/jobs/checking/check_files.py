@@ -231,6 +231,7 @@ def check_tasks(
     disagreements = _disagreements([one for _, one in looked_at])
     of_moves = [diagnostic for *_, report in checked for diagnostic in report.diagnostics]
     of_all = None if check_cell is None or disagreements else check_cell(looked_at)
+    of_cell = Coverage(main_left_out="" if of_all is None else of_all.left_out)
     if of_all is not None:
         of_moves = _as_all_tasks(of_moves, of_all.errors, is_of_runs)
         of_moves = _as_all_tasks(of_moves, of_all.of_bodies, is_of_cell)
@@ -243,7 +244,7 @@ def check_tasks(
         files=tuple(file.name for task, *_ in checked for file in task.files),
         diagnostics=tuple(sorted(found, key=lambda diagnostic: diagnostic.order)),
         trees=tuple(file for _, one, _ in checked for file in one.files),
-        coverage=sum((report.coverage for *_, report in checked), Coverage()),
+        coverage=sum((report.coverage for *_, report in checked), of_cell),
     )
 
 

@@ -19,7 +19,7 @@ def coverage_lines(coverage: Coverage, robot: str) -> Iterator[str]:
     if coverage.moves:
         yield _counts(coverage, robot)
     if coverage.main_left_out:
-        yield f"Trial run skipped: {coverage.main_left_out}."
+        yield f"No whole trial run: {coverage.main_left_out}."
     for what, moves in (("", coverage.unchecked), ("path ", coverage.unchecked_paths)):
         for move in moves[:_SHOWN]:
             yield f"  {what}not checked: {move.span.file}:{move.span.line}: {move.reason}"
