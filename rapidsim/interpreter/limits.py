@@ -34,13 +34,22 @@ def recursion_limit(limit: int) -> Iterator[None]:
     """Temporarily allow Python calls to nest this much deeper.
 
     The limit counts from the current depth, so that a program gets the same depth from any caller.
+    The stack of a task begins anew, but the depth that Python counts does not: inside the context
+    that all tasks are in, the limit is not lowered.
     """
-    before = sys.getrecursionlimit()
-    sys.setrecursionlimit(_calls_so_far() + limit)
+    global _contexts
+    before, wanted = sys.getrecursionlimit(), _calls_so_far() + limit
+    sys.setrecursionlimit(max(before, wanted) if _contexts else wanted)
+    _contexts += 1
     try:
         yield
     finally:
+        _contexts -= 1
         sys.setrecursionlimit(before)
+
+
+_contexts = 0
+"""Number of contexts of `recursion_limit` that are open, of all tasks."""
 
 
 def _calls_so_far() -> int:

@@ -220,3 +220,21 @@ def test_a_backup_says_what_its_tasks_are(tmp_path: Path) -> None:
     assert [event["task"] for event in report["events"]] == ["T_WATCH"]
     assert report["time_s"] == pytest.approx(report["moves"][0]["end_s"], abs=0.01)
     assert [one.task for one in simulate([tmp_path], robot="irb1600").robots] == ["T_ROB1"]
+
+
+def test_tasks_call_each_other_as_deep_from_any_caller(cell: Path) -> None:
+    # Each clause takes some frames, so a stack that is deeper by fifty ends some ticks earlier.
+    (cell / "left.mod").write_text(
+        "MODULE left\n  PROC main()\n    again;\n  ENDPROC\n"
+        "  PROC again()\n    RAISE 1;\n  ERROR\n    again;\n  ENDPROC\nENDMODULE\n"
+    )
+
+    def time_of_overflow(calls: int) -> object:
+        if calls:
+            return time_of_overflow(calls - 1)
+        ended = rapidsim("run", ".", "--no-record", "--format", "json", cwd=cell)
+        found = json.loads(ended.out)
+        assert "the stack overflowed in again" in str(found["diagnostics"])
+        return found["time_s"]
+
+    assert time_of_overflow(0) == time_of_overflow(50)
