@@ -54,16 +54,17 @@ def _place(of: Mapping[str, Any]) -> str:
 def assert_section(file: Path, name: str, text: str) -> None:
     """Compare a text with a section of a file; see the head of this module."""
     if os.environ.get("UPDATE_GOLDEN"):
-        found = dict(_sections(file)) | {name: text}
-        _sections.cache_clear()
+        found = dict(sections(file)) | {name: text}
+        sections.cache_clear()
         file.parent.mkdir(exist_ok=True)
-        sections = (f"== {one}\n{found[one]}" for one in sorted(found))
-        file.write_text("".join(sections), encoding="utf-8")
-    assert text == _sections(file)[name]
+        texts = (f"== {one}\n{found[one]}" for one in sorted(found))
+        file.write_text("".join(texts), encoding="utf-8")
+    assert text == sections(file)[name]
 
 
 @cache
-def _sections(file: Path) -> Mapping[str, str]:
+def sections(file: Path) -> Mapping[str, str]:
+    """The texts of a file, by the name in the line `== name` above each."""
     if not file.is_file():
         return {}
     _, *parts = _HEAD.split(file.read_text(encoding="utf-8"))

@@ -1,0 +1,70 @@
+"""What a check says of moves: the programs of `reach.txt`, and all that is said of each.
+
+A section of that file may begin with a station file, up to a line `--`, whose first line may hold
+arguments of the command behind `$`; then come the statements of main, and behind `||` other items.
+"""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterator, Mapping
+from pathlib import Path
+from typing import Any
+
+import pytest
+from check_helper import HERE
+from command_line import call
+from whole_findings import assert_section, sections, whole
+
+PROGRAMS = sections(HERE / "reach.txt")
+OUT = "[9E9,9E9,9E9,9E9,9E9,9E9]"
+POINTS = {
+    "a": "[[700,-200,500],[0,0,1,0],[-1,0,-1,0]",
+    "b": "[[700,200,500],[0,0,1,0],[0,0,0,0]",
+    "c": "[[800,0,500],[0,0,1,0],[0,0,0,0]",
+    "d": "[[-700,-100,500],[0,0,1,0],[-2,0,-2,0]",
+    "stale": "[[700,200,500],[0,0,1,0],[2,1,0,5]",
+    "turned": "[[700,200,500],[0,0,1,0],[0,0,2,0]",
+    "quarter": "[[700,200,500],[0,0,1,0],[0,1,0,0]",
+    "far": "[[1300,0,300],[0,0,1,0],[0,0,0,0]",
+    "nowhere": "[[700,0,500],[0,0,0,0],[0,0,0,0]",
+}
+HEAD = "\n".join(
+    [
+        "MODULE cell",
+        *(f"CONST robtarget {name}:={numbers},{OUT}];" for name, numbers in POINTS.items()),
+        "PERS tooldata grip:=[TRUE,[[0,0,120],[1,0,0,0]],[1,[0,0,60],[1,0,0,0],0,0,0]];",
+        'PERS wobjdata table:=[FALSE,TRUE,"",[[0,0,0],[1,0,0,0]],[[0,0,0],[1,0,0,0]]];',
+        f"CONST jointtarget home:=[[0,0,0,0,30,0],{OUT}];",
+        "VAR num n;",
+        "PROC main()\n",
+    ]
+)
+
+
+def told(folder: Path, section: str) -> Iterator[str]:
+    """What a check says of a program."""
+    station, _, program = section.rpartition("--\n")
+    arguments, _, station = station.partition("\n") if station[:1] == "$" else ("", "", station)
+    body, _, others = program.partition("||\n")
+    (folder / "cell.mod").write_text(f"{HEAD}{body}ENDPROC\n{others}ENDMODULE\n")
+    (folder / "rapidsim.toml").write_text(station or '[robot]\nmodel = "irb1600"\n')
+    more = arguments[1:].split()
+    ended = call("check", "cell.mod", "--no-merge", "--output-format", "json", *more, cwd=folder)
+    found: Mapping[str, Any] = json.loads(ended.out)
+    # What the text alone tells has its own tests.
+    moves = (one for one in found["diagnostics"] if one["code"][0] in "CDKMR" and one["routine"])
+    yield whole(moves)
+    of = found["coverage"]
+    counts = f"{of['by_value']} by value, {of['by_run']} by run"
+    yield f"{counts}, {of['paths_checked']} of {of['paths']} paths\n"
+    for key in ("unchecked", "unchecked_paths"):
+        yield from (f"  {one['line']}: {one['reason']}\n" for one in of[key])
+    if "main_left_out" in of:
+        yield f"  {of['main_left_out']}\n"
+
+
+@pytest.mark.parametrize("name", PROGRAMS)
+def test_all_that_a_check_says_of_moves(name: str, tmp_path: Path) -> None:
+    text = "".join(told(tmp_path, PROGRAMS[name]))
+    assert_section(HERE / "findings" / "reach.txt", name, text)
