@@ -1,7 +1,8 @@
 """What a check says of moves: the programs of `reach.txt`, and all that is said of each.
 
 A section of that file may begin with a station file, up to a line `--`, whose first line may hold
-arguments of the command behind `$`; then come the statements of main, and behind `||` other items.
+arguments of the command behind `$`; then come the statements of main, behind `||` other items, and
+behind `|| other.mod` another file.
 """
 
 from __future__ import annotations
@@ -46,11 +47,15 @@ def told(folder: Path, section: str) -> Iterator[str]:
     """What a check says of a program."""
     station, _, program = section.rpartition("--\n")
     arguments, _, station = station.partition("\n") if station[:1] == "$" else ("", "", station)
+    program, _, other = program.partition("|| other.mod\n")
     body, _, others = program.partition("||\n")
+    if other:
+        (folder / "other.mod").write_text(other)
     (folder / "cell.mod").write_text(f"{HEAD}{body}ENDPROC\n{others}ENDMODULE\n")
     (folder / "rapidsim.toml").write_text(station or '[robot]\nmodel = "irb1600"\n')
+    files = ["."] if other else ["cell.mod"]
     more = arguments[1:].split()
-    ended = call("check", "cell.mod", "--no-merge", "--output-format", "json", *more, cwd=folder)
+    ended = call("check", *files, "--no-merge", "--output-format", "json", *more, cwd=folder)
     found: Mapping[str, Any] = json.loads(ended.out)
     # What the text alone tells has its own tests.
     moves = (one for one in found["diagnostics"] if one["code"][0] in "CDKMR" and one["routine"])
