@@ -33,7 +33,13 @@ from coverage import CoverageData
 ROOT = Path(__file__).parents[1]
 ROOMS: Mapping[str, tuple[str, ...]] = MappingProxyType(
     {
-        "analysis": ("tests/analysis", "tests/check"),
+        "analysis": (
+            "tests/analysis",
+            "tests/check",
+            "tests/lsp/test_lsp_names.py",
+            "tests/simulation/test_simulation_reach_flow.py",
+            "tests/workspace",
+        ),
         "collisions": ("tests/collisions",),
         "controller": ("tests/simulation", "tests/rapid", "tests/programs"),
         "interpreter": ("tests/interpreter", "tests/rapid", "tests/limits"),
