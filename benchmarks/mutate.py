@@ -42,7 +42,18 @@ ROOMS: Mapping[str, tuple[str, ...]] = MappingProxyType(
         ),
         "collisions": ("tests/collisions",),
         "controller": ("tests/simulation", "tests/rapid", "tests/programs"),
-        "interpreter": ("tests/interpreter", "tests/rapid", "tests/limits"),
+        "interpreter": (
+            "tests/check/test_check_runs.py",
+            "tests/cli/test_cli_call_stack.py",
+            "tests/cli/test_cli_modules.py",
+            "tests/cli/test_cli_persistents.py",
+            "tests/interpreter",
+            "tests/limits",
+            "tests/rapid",
+            "tests/simulation/test_simulation_loading.py",
+            # Behind a debugger nothing is counted any more.
+            "tests/dap",
+        ),
         "library": ("tests/library", "tests/rapid"),
         "motion": ("tests/motion", "tests/programs"),
         "reach": (
