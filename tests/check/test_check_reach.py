@@ -10,12 +10,21 @@ from __future__ import annotations
 import json
 from collections.abc import Iterator, Mapping
 from pathlib import Path
+from types import ModuleType
 from typing import Any
 
 import pytest
 from check_helper import HERE
 from command_line import call
 from whole_findings import assert_section, sections, whole
+
+from rapidsim.reach import (
+    arm_configurations,
+    path_findings,
+    suggestions,
+    target_poses,
+    trial_run,
+)
 
 PROGRAMS = sections(HERE / "reach.txt")
 OUT = "[9E9,9E9,9E9,9E9,9E9,9E9]"
@@ -73,3 +82,43 @@ def told(folder: Path, section: str) -> Iterator[str]:
 def test_all_that_a_check_says_of_moves(name: str, tmp_path: Path) -> None:
     text = "".join(told(tmp_path, PROGRAMS[name]))
     assert_section(HERE / "findings" / "reach.txt", name, text)
+
+
+@pytest.mark.parametrize(
+    "name",
+    [
+        *("zones", "orientations", "stored configurations", "nothing monitored", "belts"),
+        *("a track and a positioner", "only a run tells", "wrist axes lead an arc", "arcs"),
+    ],
+)
+def test_blocks_of_moves_are_as_all_at_once(
+    name: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(target_poses, "_BLOCK", 2)
+    monkeypatch.setattr(path_findings, "_BLOCK", 2)
+    monkeypatch.setattr(arm_configurations, "_BATCH", 2)
+    test_all_that_a_check_says_of_moves(name, tmp_path)
+
+
+@pytest.mark.parametrize(
+    ("module", "limit", "most", "name"),
+    [
+        (arm_configurations, "MOST_SEARCHED", 1, "an arm that is solved by search"),
+        (arm_configurations, "MOST_SEARCHED", 1, "nothing to say"),
+        (suggestions, "MOST_SEARCHES", 2, "out of reach"),
+        (trial_run, "MOST_MOVES", 2, "a run takes too long"),
+        (trial_run, "MOST_MOVES", 3, "only a run tells"),
+        (trial_run, "MOST_MOVES_FOR_ERRORS", 1, "an error of main"),
+    ],
+)
+def test_limits_of_a_check(
+    module: ModuleType,
+    limit: str,
+    most: int,
+    name: str,
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.setattr(module, limit, most)
+    text = "".join(told(tmp_path, PROGRAMS[name]))
+    assert_section(HERE / "findings" / "reach.txt", f"{name}, {limit} {most}", text)
