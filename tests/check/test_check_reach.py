@@ -16,6 +16,7 @@ from typing import Any
 import pytest
 from check_helper import HERE
 from command_line import call
+from exports import export
 from whole_findings import assert_section, sections, whole
 
 from rapidsim.reach import (
@@ -122,3 +123,23 @@ def test_limits_of_a_check(
     monkeypatch.setattr(module, limit, most)
     text = "".join(told(tmp_path, PROGRAMS[name]))
     assert_section(HERE / "findings" / "reach.txt", f"{name}, {limit} {most}", text)
+
+
+@pytest.mark.parametrize("form", ["inline", "named"])
+def test_all_that_a_check_says_of_a_long_path(form: str, tmp_path: Path) -> None:
+    """Of its rows only few are in the tree."""
+    text = export(form, "spiral", 45, 7).replace("    ConfL\\Off;\n", "")
+    rows = [row for row in text.splitlines() if "[[" in row]
+    for row, old, new in (
+        (9, "[0,0,0,0]", "[0,0,2,0]"),
+        (20, "[[", "[[1"),
+        (30, "[0,0,0,0]", "[3,0,0,0]"),
+    ):
+        text = text.replace(rows[row], rows[row].replace(old, new))
+    (tmp_path / "path.mod").write_text(text)
+    arguments = ("check", "path.mod", "--robot", "irb4600-20-2.5", "--output-format", "json")
+    found = json.loads(call(*arguments, cwd=tmp_path).out)
+    of = found["coverage"]
+    counts = f"{of['by_value']} by value, {of['paths_checked']} of {of['paths']} paths"
+    told = f"{whole(found['diagnostics'])}{counts}\n"
+    assert_section(HERE / "findings" / "reach.txt", f"a long path, {form}", told)
