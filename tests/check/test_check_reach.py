@@ -19,6 +19,7 @@ from command_line import call
 from exports import export
 from whole_findings import assert_section, sections, whole
 
+from rapidsim.jobs.checking import check_files
 from rapidsim.reach import (
     arm_configurations,
     path_findings,
@@ -125,9 +126,13 @@ def test_limits_of_a_check(
     assert_section(HERE / "findings" / "reach.txt", f"{name}, {limit} {most}", text)
 
 
+@pytest.mark.parametrize("most", [12, 4000])
 @pytest.mark.parametrize("form", ["inline", "named"])
-def test_all_that_a_check_says_of_a_long_path(form: str, tmp_path: Path) -> None:
-    """Of its rows only few are in the tree."""
+def test_all_that_a_check_says_of_a_long_path(
+    form: str, most: int, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Of more moves than these, only few are in the tree."""
+    monkeypatch.setattr(check_files, "MOST_MOVES", most)
     text = export(form, "spiral", 45, 7).replace("    ConfL\\Off;\n", "")
     rows = [row for row in text.splitlines() if "[[" in row]
     for row, old, new in (
