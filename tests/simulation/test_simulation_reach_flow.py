@@ -20,6 +20,7 @@ from rapidsim.language.data import RobTarget
 from rapidsim.language.moves import MotionSettings
 from rapidsim.reach.dataflow.known_moves import KnownMove
 from rapidsim.reach.dataflow.program_walk import walk_program
+from rapidsim.reach.dataflow.written_moves import targets_by_wobj
 
 CASES = [
     tuple(case.split("\n", 1))
@@ -75,3 +76,25 @@ def settings_of(known: KnownMove) -> str:
 def test_what_is_known_of_each_move(program: str, answer: str) -> None:
     body, _, others = program.partition(" || ")
     assert list(known_moves(body, others)) == answer.split("\n")
+
+
+def test_targets_by_work_object() -> None:
+    text = f"""{HEAD}  CONST robtarget far:=p;
+  PERS wobjdata table:=[FALSE,TRUE,"",[[0,0,0],[1,0,0,0]],[[0,0,0],[1,0,0,0]]];
+  PERS wobjdata bench:=[FALSE,TRUE,"",[[0,0,0],[1,0,0,0]],[[0,0,0],[1,0,0,0]]];
+  PROC main()
+    VAR jointtarget joints;
+    MoveJ p,v50\\T:=2,z10,tool0\\WObj:=table;
+    MoveL Offs(far,n,0,0),v50,z10,tool0\\WObj:=Table;
+    MoveC p,RelTool(places{{1}},0,0,n),v50,z10,tool0;
+    joints:=CalcJointT(far,tool0\\WObj:=bench);
+    go far\\WObj:=bench;
+  ENDPROC
+  PROC go(robtarget q\\wobjdata WObj)
+    MoveL q,v50,z10,tool0\\WObj?WObj;
+  ENDPROC
+ENDMODULE
+"""
+    program = load([SourceFile("cell.mod", text, "utf-8")]).program
+    assert program is not None
+    assert targets_by_wobj(program) == {"table": ("p", "far"), "wobj0": ("p",)}
