@@ -33,18 +33,39 @@ from coverage import CoverageData
 ROOT = Path(__file__).parents[1]
 ROOMS: Mapping[str, tuple[str, ...]] = MappingProxyType(
     {
-        "analysis": ("tests/analysis", "tests/check"),
+        "analysis": (
+            "tests/analysis",
+            "tests/check",
+            "tests/lsp/test_lsp_names.py",
+            "tests/simulation/test_simulation_reach_flow.py",
+            "tests/workspace",
+        ),
         "collisions": ("tests/collisions",),
         "controller": ("tests/simulation", "tests/rapid", "tests/programs"),
-        "interpreter": ("tests/interpreter", "tests/rapid", "tests/limits"),
+        "interpreter": (
+            "tests/check/test_check_runs.py",
+            "tests/cli/test_cli_call_stack.py",
+            "tests/cli/test_cli_modules.py",
+            "tests/cli/test_cli_persistents.py",
+            "tests/interpreter",
+            "tests/limits",
+            "tests/rapid",
+            "tests/simulation/test_simulation_loading.py",
+            # Behind a debugger nothing is counted any more.
+            "tests/dap",
+        ),
         "library": ("tests/library", "tests/rapid"),
         "motion": ("tests/motion", "tests/programs"),
         "reach": (
             "tests/check",
+            "tests/cli/test_cli_best_arm.py",
             "tests/cli/test_cli_check_reach.py",
+            "tests/cli/test_cli_sweep.py",
+            "tests/collisions/test_collisions_check.py",
             "tests/simulation/test_simulation_first_errors.py",
             "tests/simulation/test_simulation_impossible_moves.py",
             "tests/simulation/*_reach_*.py",
+            "tests/simulation/test_simulation_wrist_circle.py",
         ),
         "server": ("tests/server",),
         "simulation": ("tests/simulation", "tests/collisions"),

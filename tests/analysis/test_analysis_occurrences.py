@@ -8,6 +8,7 @@ from pathlib import Path
 
 import pytest
 from laws import cases, some
+from whole_findings import assert_section
 
 from rapidsim.analysis.names.name_violations import DuplicateName
 from rapidsim.analysis.occurrences.locate import locate, name_at, names_in
@@ -165,3 +166,66 @@ def test_a_rename_in_several_modules() -> None:
     )
     plan = plan_rename(symbol, "sum", names)
     assert [span.file for span in plan.spans] == ["a.mod", "b.mod", "b.mod"]
+
+
+KINDS = """MODULE m
+  ALIAS num length;
+  RECORD part
+    length width;
+    robtarget place;
+  ENDRECORD
+  CONST num limit:=3;
+  PERS part one;
+  LOCAL VAR part many{2};
+  VAR intnum i1;
+  PROC main()
+    VAR num own:=1;
+    again:
+    FOR k FROM 1 TO limit DO
+      many{k}.width:=one.width+own+nowhere;
+      go own\\by:=k\\quick;
+      go own\\by?own;
+    ENDFOR
+    MoveJ one.place,v50,fine,tool0\\WObj:=wobj0;
+    IF own<reg1 GOTO again;
+    SetDO doGrip,1;
+    CONNECT i1 WITH stops;
+    %"go"%;
+  ENDPROC
+  LOCAL PROC go(INOUT num x\\num by|switch quick)
+    VAR num limit;
+    IF Present(by) limit:=x+by+twice(x);
+  ENDPROC
+  FUNC num twice(num x)
+    RETURN 2*x;
+  ENDFUNC
+  TRAP stops
+    own2:=1;
+  ENDTRAP
+ENDMODULE
+"""
+NEW = (
+    *("fresh", "own", "x", "limit", "go", "part", "width", "place", "m", "k", "many", "again"),
+    *("MoveJ", "num", "v50", "while", "1a", "a" * 33, "OWN", "doGrip", "by", "nowhere"),
+)
+
+
+def test_what_each_name_may_become() -> None:
+    found, names = names_of(workspace_of(KINDS))
+    told = []
+    for one in {(type(one.symbol), one.name.key): one for one in found}.values():
+        kind = type(one.symbol).__name__.removesuffix("Symbol")
+        declared = None if one.symbol is None else declared_name(one.symbol, names.facts)
+        at = "" if declared is None else f" of {one.module.span(declared[1]).line}"
+        told.append(f"{kind} {one.name.text}{at}\n")
+        answers: dict[str, list[str]] = {}
+        for new in NEW:
+            try:
+                spans = plan_rename(one.symbol, new, names).spans
+            except RenameRefusedError as error:
+                answer = str(error).replace(f"`{new}`", "it")
+            else:
+                answer = " ".join(f"{at.line}:{at.column}" for at in spans)
+            answers.setdefault(answer, []).append(new)
+        told += (f"  {' '.join(news)}: {answer}\n" for answer, news in answers.items())
+    assert_section(Path(__file__).with_name("renames.txt"), "renames", "".join(told))

@@ -1,7 +1,7 @@
 """Each rule: what its folder says agrees with its class, and its programs show what they promise.
 
 The programs of `bad.mod` break the rule, on the lines marked `! found` and on no others; those of
-`good.mod` come near and do not.
+`good.mod` come near and do not. All that is said of a program stands in a file of `findings/`.
 """
 
 from __future__ import annotations
@@ -9,21 +9,25 @@ from __future__ import annotations
 import contextlib
 import io
 import json
+import os
 import re
 import string
 import tomllib
+from collections.abc import Mapping
 from dataclasses import dataclass
 from importlib import import_module
 from inspect import getsource
 from pathlib import Path
+from typing import Any
 
 import pytest
-from check_helper import found_in
+from check_helper import HERE, found_in
+from whole_findings import assert_section, records, whole
 
 import rapidsim
 from rapidsim.analysis.rules.table import DETECTORS
 from rapidsim.cli.boundary import run_commands
-from rapidsim.diagnostics import Diagnostic, Rule, Violation, all_rules
+from rapidsim.diagnostics import Rule, Violation, all_rules
 from rapidsim.report.pages.rules import programs
 
 ARM = "irb1600-6-1.2"
@@ -47,26 +51,23 @@ def classes() -> list[type[Violation]]:
 
 
 @dataclass(frozen=True)
-class Found:
-    """A finding in short."""
-
-    code: str
-    severity: str
-    message: str
-    line: int
-
-
-@dataclass(frozen=True)
 class Case:
     """A program of a rule's folder, and how it is looked at."""
 
     rule: Rule
+    file: str
     number: int
     program: bytes
     way: str
 
-    def findings(self, folder: Path) -> list[Found]:
-        """What is found in the program."""
+    def findings(self, folder: Path) -> list[Mapping[str, Any]]:
+        """What is found in the program, and said as before."""
+        found = self._found(folder)
+        text = whole(found).replace(f"{folder}{os.sep}", "")
+        assert_section(HERE / "findings" / f"{self.rule.code[0]}.txt", name(self), text)
+        return found
+
+    def _found(self, folder: Path) -> list[Mapping[str, Any]]:
         file = folder / "program.mod"
         file.write_bytes(self.program)
         station = table(self.rule).get("station", "")
@@ -75,7 +76,7 @@ class Case:
         arm = ("--robot", tomllib.loads(station).get("robot", {}).get("model", ARM))
         match self.way:
             case "text":
-                return [in_short(one) for one in found_in(file, every_rule=True)]
+                return records(found_in(file, every_rule=True))
             case "reach":
                 return as_printed("check", str(file), *arm, "--no-merge", "--output-format")
             case _:
@@ -91,24 +92,19 @@ def found_by(rule: Rule) -> list[str]:
     return table(rule).get("found-by", "text").split(", ")
 
 
-def in_short(one: Diagnostic) -> Found:
-    violation = one.violation
-    return Found(violation.code, one.severity, violation.message, one.span.line if one.span else 0)
-
-
-def as_printed(*arguments: str) -> list[Found]:
+def as_printed(*arguments: str) -> list[Mapping[str, Any]]:
     """What a command says of a program; the last argument asks for a format."""
     printed = io.StringIO()
     with contextlib.redirect_stdout(printed):
         run_commands([*arguments, "json"])
-    found = json.loads(printed.getvalue())["diagnostics"]
-    return [Found(one["code"], one["severity"], one["message"], one["line"] or 0) for one in found]
+    found: list[Mapping[str, Any]] = json.loads(printed.getvalue())["diagnostics"]
+    return found
 
 
 def cases(file: str) -> list[Case]:
     """All programs of `bad.mod` or `good.mod`; that of the page is looked at in every way."""
     return [
-        Case(rule, number, program, way)
+        Case(rule, file.removesuffix(".mod"), number, program, way)
         for rule in all_rules()
         for number, program in enumerate(programs(rule, file))
         for way in found_by(rule)
@@ -117,37 +113,39 @@ def cases(file: str) -> list[Case]:
 
 
 def name(case: Case) -> str:
-    return f"{case.rule.code}-{case.number}-{case.way}"
+    return f"{case.rule.code}-{case.file}-{case.number}-{case.way}"
 
 
 @pytest.mark.parametrize("case", cases("bad.mod"), ids=name)
 def test_a_bad_program_breaks_the_rule_where_it_says(case: Case, tmp_path: Path) -> None:
     findings = case.findings(tmp_path)
-    found = [one for one in findings if one.code == case.rule.code]
+    found = [one for one in findings if one["code"] == case.rule.code]
     assert found, findings
-    assert {one.severity for one in found} == {case.rule.severity}
+    assert {one["severity"] for one in found} == {case.rule.severity}
     lines = case.program.decode("utf-8").splitlines()
     marked = [number for number, line in enumerate(lines, start=1) if "! found" in line]
-    assert sorted({one.line for one in found}) == marked or case.rule.code in UNMARKED
-    others = [one for one in findings if one.code != case.rule.code]
+    assert sorted({one["line"] or 0 for one in found}) == marked or case.rule.code in UNMARKED
+    others = [one for one in findings if one["code"] != case.rule.code]
     if case.rule.code[0] == "E":
         # What is left of a broken statement may be wrong in other ways, but not as a text.
-        assert not [one for one in others if one.code[0] == "E"]
+        assert not [one for one in others if one["code"][0] == "E"]
     elif case.way == "text":
-        assert not [one for one in others if one.severity == "error"]
+        assert not [one for one in others if one["severity"] == "error"]
     for one in findings:
-        assert "\n" not in one.message
-        assert not one.message.endswith(".")
+        assert "\n" not in one["message"]
+        assert not one["message"].endswith(".")
 
 
 @pytest.mark.parametrize("case", cases("good.mod"), ids=name)
 def test_a_good_program_keeps_the_rule(case: Case, tmp_path: Path) -> None:
     findings = case.findings(tmp_path)
-    assert not [one for one in findings if one.code == case.rule.code or one.severity == "error"]
-    assert case.rule.code[0] != "E" or not [one for one in findings if one.code[0] == "E"]
+    assert not [
+        one for one in findings if one["code"] == case.rule.code or one["severity"] == "error"
+    ]
+    assert case.rule.code[0] != "E" or not [one for one in findings if one["code"][0] == "E"]
     if case.number == 0 and case.way != "text":
         # A cure that causes something else is none.
-        assert not [one for one in findings if found_by(Rule(one.code)) != ["text"]]
+        assert not [one for one in findings if found_by(Rule(one["code"])) != ["text"]]
 
 
 def test_each_rule_has_a_folder_and_a_class() -> None:

@@ -8,6 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from command_line import call
+from whole_findings import assert_section
 
 from rapidsim.analysis.program import Program
 from rapidsim.jobs.checking import best_arm
@@ -15,6 +16,7 @@ from rapidsim.jobs.checking.best_arm import with_best_arm
 from rapidsim.jobs.inputs.job import Job
 from rapidsim.motion.configurations.confdata import confdata_of
 from rapidsim.motion.robot.robot import load_robot
+from rapidsim.reach.arm_ranking import Hint, hints_of
 
 ARMS = (
     "irb120-3-0.58",
@@ -283,3 +285,79 @@ def test_a_run_that_ends_where_the_arm_is_a_guess_says_so(tmp_path: Path) -> Non
     named = call("run", "Job.mod", "--no-record", "--robot", "irb120", cwd=tmp_path, columns=200)
     assert named.code == 1
     assert "stopped with an error after" in named.out
+
+
+TEXTS: tuple[tuple[str, tuple[str, ...], tuple[Hint, ...]], ...] = (
+    ("IRB 1600-6/1.2", (), (Hint("1600", (6.0, 1.2), "irb"),)),
+    ("IRB1600 irb_1600", (), (Hint("1600", (), "irb"),)),
+    (
+        "a CRB 15000-5/0.95 and IRB_120",
+        (),
+        (Hint("15000", (5.0, 0.95), "crb"), Hint("120", (), "irb")),
+    ),
+    ("ROB1_6700_235kg", (), (Hint("6700", (235.0,), "irb"),)),
+    ("IRB 1600 0/1.45", (), (Hint("1600", (1.45,), "irb"),)),
+    ("IRB 4600-20kg/2.5m", (), (Hint("4600", (20.0, 2.5), "irb"),)),
+    ("yumi or GoFa", (), (Hint("14000"), Hint("15000"))),
+    ("ayumi, yumis, xirb1600, IRB 16", (), ()),
+    ("T_ROB_L", (), ()),
+    ("", ("T_ROB_L",), (Hint("14000", side="l"),)),
+    ("", ("YUMI-right",), (Hint("14000", side="r"),)),
+    ("", ("T_ROB_L", "T_ROB_R"), ()),
+    (
+        "YuMi, IRB 2600 20/1.65",
+        ("T_ROB_R",),
+        (Hint("14000", side="r"), Hint("2600", (20.0, 1.65), "irb")),
+    ),
+)
+
+
+@pytest.mark.parametrize(("text", "names", "hints"), TEXTS, ids=range(len(TEXTS)))
+def test_the_arms_that_texts_name(
+    text: str, names: tuple[str, ...], hints: tuple[Hint, ...]
+) -> None:
+    assert hints_of([text], names) == hints
+
+
+@pytest.mark.parametrize(
+    ("hint", "name", "deviation"),
+    [
+        (Hint("1600"), "irb1600-6-1.2", 0.0),
+        (Hint("1600", (6.0, 1.2)), "irb1600-6-1.2", 0.0),
+        (Hint("1600", (1.45,)), "irb1600-6-1.2", 0.25 / 1.45),
+        (Hint("1600", (7.0,)), "irb1600-10-1.45", 0.3),
+        (Hint("1600", (6.0, 1.2)), "irb1600-10-1.45", 0.4 + 0.25 / 1.45),
+        (Hint("1600", (), "crb"), "irb1600-6-1.2", 1.0),
+        (Hint("14000", side="l"), "irb14000-0.5-0.5-left", 0.0),
+        (Hint("14000", side="l"), "irb14000-0.5-0.5-right", 1.0),
+        (Hint("14000", side="l"), "irb14000-0.5-0.5", 1.0),
+        (Hint("2600", (6.0,)), "irb1600-6-1.2", 10.0),
+        (Hint("2600"), "kr10", 20.0),
+    ],
+)
+def test_how_far_an_arm_is_from_what_texts_name(hint: Hint, name: str, deviation: float) -> None:
+    assert hint.deviation(name) == pytest.approx(deviation)
+
+
+@pytest.mark.parametrize(
+    ("title", "text"),
+    [
+        ("near", near()),
+        ("far", near(out=600.0)),
+        ("too far", near(out=9000.0)),
+        ("a name", near().replace("MODULE Job", "MODULE Job\n  ! IRB 1200-7/0.7")),
+        ("a name too far", near(out=9000.0).replace("MODULE Job", "MODULE Job\n  ! IRB 140")),
+        ("axes", near().replace("ENDPROC", f"MoveAbsJ [[170,0,0,0,30,0],{NOT_USED}],v10,z1,t;")),
+        ("an angle", near(eax_a="45")),
+    ],
+)
+def test_all_arms_in_order(title: str, text: str, tmp_path: Path) -> None:
+    tool = "PERS tooldata t:=[TRUE,[[0,0,50],[1,0,0,0]],[12,[0,0,1],[1,0,0,0],0,0,0]];"
+    if "ENDPROC" not in text:
+        text = text.replace("\nENDMODULE", f"\n  ENDPROC\n  {tool}\nENDMODULE")
+    (tmp_path / "Job.mod").write_text(text)
+    ended = call("robots", "--for", "Job.mod", "--format", "json", cwd=tmp_path)
+    found = json.loads(ended.out)["robots"]
+    lines = (" ".join(f"{key}={value}" for key, value in one.items()) for one in found[:12])
+    told = "".join(f"{line}\n" for line in lines)
+    assert_section(Path(__file__).parent / "golden" / "arms.txt", title, told)

@@ -9,6 +9,7 @@ from typing import Any
 import pytest
 from collision_cells import HEAD, TABLE, cell
 from command_line import call
+from whole_findings import whole
 
 BEHIND_AN_INPUT = "    IF DInput(diAgain)=1 THEN\n{0}    ENDIF"
 SIGNALS = '[signals]\ndiAgain = { type = "di" }\n'
@@ -47,11 +48,28 @@ def test_what_a_corner_cuts_off_is_not_looked_at(tmp_path: Path) -> None:
     assert findings(tmp_path, DOWN.format(-150, "z10") + up, TABLE)
 
 
-def test_a_joint_move_that_swings_into_a_post_goes_above_it(tmp_path: Path) -> None:
+def test_all_that_is_said_of_joint_moves_and_arcs(tmp_path: Path) -> None:
     head = HEAD.replace("  PROC main", f"{ACROSS}  PROC main")
-    (found,) = findings(tmp_path, "      MoveJ left,v500,fine,tool0;\n", POST, head)
-    assert found["code"] == "C104"
-    assert "`post`" in found["message"]
+    axes = "[[60,0,0,0,90,0],[9E9,9E9,9E9,9E9,9E9,9E9]]"
+    arc = "MoveC Offs(over,50,50,-150),Offs(over,0,100,-150)"
+    moves = ("MoveJ left", POST), (f"MoveAbsJ {axes}", POST), (arc, TABLE)
+    found = [
+        one
+        for move, station in moves
+        for one in findings(tmp_path, f"      {move},v200,fine,tool0;\n", station, head)
+    ]
+    hit, no_run = "in main: link", "mm deep; no run of main makes this move"
+    start = "  7: the path starts here"
+    free = "  help: the way is free to `left` in the configuration [-1,-2,1,6]"
+    assert whole(found).splitlines() == [
+        f"C104 error 9:13-17 {hit} 4 would hit `post` after 32 % of the way, 42.5 {no_run}",
+        free,
+        start,
+        f"C104 error 9:16-59 {hit} 4 would hit `post` after 47 % of the way, 50.8 {no_run}",
+        start,
+        f"C104 error 9:35-56 {hit} 6 would hit `table` after 55 % of the way, 30.4 {no_run}",
+        start,
+    ]
 
 
 @pytest.mark.parametrize("where", ["9E8", "0"])

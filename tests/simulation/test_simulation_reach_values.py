@@ -177,6 +177,15 @@ simple = st.one_of(
     expressions.map(lambda x: f"MoveJ Offs(p,{x} MOD 9,{x} MOD 7,0),v500,z10,tool0;"),
     expressions.map(lambda x: f"go {x};"),
     st.sampled_from(["hidden;", "change n;", "IF a>1 RETURN;", "ask;", "serve;", "IF a=2 spin;"]),
+    # Functions that write, also in expressions that only a run evaluates, or not to their ends.
+    st.sampled_from(
+        [
+            "n:=count(a);",
+            "n:=GInput(gi1)+count(a);",
+            "IF TestDI(di1) AND odd(b) a:=4;",
+            'IF odd(b) OR StrToVal("2",n) b:=5;',
+        ]
+    ),
     # A jump back has an end; the label is one of the list of the routine.
     st.tuples(conditions, st.integers(0, 2)).map(
         lambda s: f"IF {s[0]} THEN t:=t+1; IF t<4 GOTO l{s[1]}; ENDIF"
@@ -219,6 +228,14 @@ PROGRAM = """MODULE cell
   PROC change(INOUT num x)
     x:=x+2;
   ENDPROC
+  FUNC num count(num x)
+    b:=b+1;
+    RETURN x+b;
+  ENDFUNC
+  FUNC bool odd(num x)
+    a:=a+1;
+    RETURN x MOD 2=1;
+  ENDFUNC
   PROC serve()
     WHILE TRUE DO
       t:=t+1;

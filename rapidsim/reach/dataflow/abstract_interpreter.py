@@ -159,7 +159,7 @@ class AbstractInterpreter:
                 if one.caller_option is not None
                 else True
                 if one.value is None
-                else self._evaluator.value(one.value)
+                else self._value(one.value)
             )
             path = None if one is None or one.value is None else bare(one.value)
             if by_reference(parameter.mode) and isinstance(
@@ -176,6 +176,13 @@ class AbstractInterpreter:
         return result
 
     # --- data
+
+    def _value(self, expression: tree.Expression) -> Known:
+        """Return the value of an expression; if it is unknown, so are the effects of its calls."""
+        found = self._evaluator.value(expression)
+        if isinstance(found, NotStatic):
+            self._forget_effects(self.effects.of_calls(expression), _BY_CALL)
+        return found
 
     def read(self, symbol: Symbol) -> Known:
         """Return the value of data at the current statement."""
@@ -207,7 +214,9 @@ class AbstractInterpreter:
     def _store(self, path: tree.DataPath, value: Known) -> None:
         root = self.program.symbol_of.get(root_of(path))
         if root is not None:
-            self.state.values[root] = replaced(self._evaluator, path, value)
+            self.state.values[root] = stored = replaced(self._evaluator, path, value)
+            if isinstance(stored, NotStatic):
+                self._forget_effects(self.effects.of_calls(path), _BY_CALL)
 
     def _forget_effects(self, effects: Effects, reason: str) -> None:
         self.state.forget(effects.writes, reason)
@@ -287,7 +296,7 @@ class AbstractInterpreter:
             case tree.Call():
                 self._call(statement)
             case tree.Assignment(target=target, value=value):
-                found = self._evaluator.value(value)
+                found = self._value(value)
                 if isinstance(target, tree.DataReference | tree.Index | tree.ComponentAccess):
                     self._store(target, found)
             case tree.If(branches=branches, otherwise=otherwise):
@@ -317,7 +326,7 @@ class AbstractInterpreter:
                 pass
 
     def _return(self, value: tree.Expression | None) -> None:
-        result = None if value is None else self._evaluator.value(value)
+        result = None if value is None else self._value(value)
         frame = self._stack[-1]
         if not frame.off_path:
             frame.returns.append(self.state.copy())
@@ -337,7 +346,7 @@ class AbstractInterpreter:
         """Interpret an IF: one branch if the conditions are known, else all possible branches."""
         ends: list[State] = []
         for position, (condition, body) in enumerate(branches):
-            known = self._evaluator.value(condition)
+            known = self._value(condition)
             if known is False:
                 self._walk_off_path(body, [condition])
                 continue
@@ -356,10 +365,10 @@ class AbstractInterpreter:
         self.state = joined(ends)
 
     def _test(self, test: tree.Test) -> None:
-        subject = self._evaluator.value(test.subject)
+        subject = self._value(test.subject)
         ends: list[State] = []
         for position, case in enumerate(test.cases):
-            values = [self._evaluator.value(value) for value in case.values]
+            values = [self._value(value) for value in case.values]
             open_ = isinstance(subject, NotStatic) or any(isinstance(v, NotStatic) for v in values)
             if not open_ and subject not in values:
                 self._walk_off_path(case.body, [test.subject])
@@ -381,7 +390,7 @@ class AbstractInterpreter:
 
     def _for(self, loop: tree.For) -> None:
         bounds = [
-            self._evaluator.value(bound)
+            self._value(bound)
             for bound in (loop.first, loop.last, *([] if loop.step is None else [loop.step]))
         ]
         counter = self.program.symbol_of[loop]
@@ -407,7 +416,7 @@ class AbstractInterpreter:
             self._turn(loop.body)
 
     def _while(self, condition: tree.Expression, body: tree.Body) -> None:
-        known = self._evaluator.value(condition)
+        known = self._value(condition)
         if known is False:
             self._walk_off_path(body, [condition])
             return

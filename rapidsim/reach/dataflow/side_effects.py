@@ -113,6 +113,14 @@ class ProgramEffects:
         """Return the effects of lists of statements."""
         return self._with_calls(self._direct(statements(*bodies)), self._routine_effects)
 
+    def of_calls(self, expression: tree.Expression) -> Effects:
+        """Return the effects of the calls in an expression."""
+        found = _DirectEffects()
+        for node in descendants(expression):
+            if isinstance(node, tree.FunctionCall):
+                self._add_call(node, found)
+        return self._with_calls(found, self._routine_effects)
+
     def locals_of(self, routine: RoutineSymbol) -> frozenset[Symbol]:
         """Return the parameters of a routine, and the data and counters declared in it."""
         if routine not in self._locals:

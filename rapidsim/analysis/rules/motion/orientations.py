@@ -6,7 +6,6 @@ import math
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from rapidsim.analysis.names.user_types import literal_value
 from rapidsim.analysis.program_parts import Facts, ProgramPart
 from rapidsim.analysis.rules.facts.known_values import numbers
 from rapidsim.analysis.rules.facts.written_numbers import part_span
@@ -36,19 +35,10 @@ def find_bad_orientations(facts: Facts) -> Iterator[Diagnostic]:
     paths: dict[type, tuple[tuple[int, ...], ...]] = {}
     for part in facts.parts:
         declared = {node.value: node for node in part.all(tree.Data) if node.value is not None}
-        inside: set[tree.Node] = set()
-        written: list[tree.Aggregate | tree.LiteralAggregate] = [
-            *part.all(tree.Aggregate),
-            *part.all(tree.LiteralAggregate),
-        ]
-        for node in written:
+        for node in part.all(tree.LiteralAggregate):
             of = facts.analysis.type_of.get(node)
-            value = literal_value(node)
-            if of is None or value is None or node in inside:
-                continue
-            if isinstance(node, tree.Aggregate):
-                inside.update(node.elements)
-            yield from _in_value(node, value, of, declared.get(node), part, paths)
+            if of is not None:
+                yield from _in_value(node, node.value, of, declared.get(node), part, paths)
 
 
 def _in_value(
