@@ -45,9 +45,7 @@ def test_position_is_the_integral_of_a_speed_that_is_linear_between_nodes(
     assert motion.speed_at(times) == pytest.approx(motion.speed, abs=1e-12)
     for a, b in pairwise(times):
         t = np.linspace(a, b, 9)
-        assert motion.speed_at(t) == pytest.approx(
-            np.interp(t, times, motion.speed), abs=1e-12
-        )
+        assert motion.speed_at(t) == pytest.approx(np.interp(t, times, motion.speed), abs=1e-12)
     t = np.linspace(0.0, motion.duration, 200_000)
     speed = motion.speed_at(t)
     gone = np.concatenate([[0.0], np.cumsum(0.5 * (speed[1:] + speed[:-1]) * np.diff(t))])
