@@ -26,8 +26,8 @@ each = pytest.mark.parametrize("motion", SCALINGS)
 
 def place(motion: TimeScaling, times: Array) -> Array:
     """Positions (k,) [m]: with the first speed before the motion, at rest after it."""
-    early = np.minimum(times, 0.0)
-    return motion.s_at(times) + motion.speed[0] * early
+    found: Array = motion.s_at(times) + motion.speed[0] * np.minimum(times, 0.0)
+    return found
 
 
 def integral(motion: TimeScaling, begin: float, end: float) -> float:
