@@ -15,6 +15,7 @@ from __future__ import annotations
 import argparse
 import ast
 import copy
+import json
 import os
 import random
 import shutil
@@ -38,7 +39,16 @@ ROOMS: Mapping[str, tuple[str, ...]] = MappingProxyType(
         "controller": ("tests/simulation", "tests/rapid", "tests/programs"),
         "interpreter": ("tests/interpreter", "tests/rapid", "tests/limits"),
         "library": ("tests/library", "tests/rapid"),
-        "motion": ("tests/motion", "tests/programs"),
+        "motion": (
+            "tests/motion",
+            "tests/programs",
+            "tests/plots/test_plots_followed.py",
+            "tests/simulation/test_live_jogging.py",
+            "tests/simulation/test_simulation_belts.py",
+            "tests/simulation/test_simulation_guidance.py",
+            "tests/simulation/test_simulation_path_correction.py",
+            "tests/simulation/test_simulation_reach_cures.py",
+        ),
         "reach": (
             "tests/check",
             "tests/cli/test_cli_check_reach.py",
@@ -62,6 +72,8 @@ _FIRST_TESTS = 25
 """Tests that judge a change first, the ones that execute the fewest lines first, and at last the
 one that executes the most: it may hold whole answers. What they let through, all judge."""
 _LIMIT_S = 900.0
+_NO_TESTS = 5
+"""What pytest returns if it has executed none."""
 _OPPOSITES: Mapping[type[ast.AST], tuple[type[ast.AST], ...]] = MappingProxyType(
     {
         ast.Lt: (ast.GtE,),
@@ -97,6 +109,8 @@ class Mutant:
     after: str
     text: str
     """The whole file."""
+    statement: range
+    """Lines of the smallest statement around it, of a compound one those of its head."""
 
 
 def mutants(file: str, text: str, *, texts: bool = False) -> Iterator[Mutant]:
@@ -106,7 +120,9 @@ def mutants(file: str, text: str, *, texts: bool = False) -> Iterator[Mutant]:
     for line in lines:
         starts.append(starts[-1] + len(line))
     data = text.encode()
-    for node in _nodes(ast.parse(text)):
+    tree = ast.parse(text)
+    statements = _statements(tree)
+    for node in _nodes(tree):
         if node.end_lineno is None or node.end_col_offset is None:
             continue
         begin = starts[node.lineno - 1] + node.col_offset
@@ -115,7 +131,22 @@ def mutants(file: str, text: str, *, texts: bool = False) -> Iterator[Mutant]:
             after = ast.unparse(changed)
             after = f"({after})" if isinstance(changed, ast.expr) else after
             new = (data[:begin] + after.encode() + data[end:]).decode()
-            yield Mutant(file, node.lineno, data[begin:end].decode(), after, new)
+            line, before = node.lineno, data[begin:end].decode()
+            own = range(line, line + 1)
+            yield Mutant(file, line, before, after, new, statements.get(line, own))
+
+
+def _statements(tree: ast.Module) -> dict[int, range]:
+    """Return the lines of the smallest statement around each line."""
+    found = {}
+    for node in ast.walk(tree):
+        if isinstance(node, ast.stmt):
+            body = getattr(node, "body", None)
+            begin = min([node.lineno, *(o.lineno for o in getattr(node, "decorator_list", ()))])
+            end = body[0].lineno - 1 if body else node.end_lineno or node.lineno
+            lines = range(begin, max(end, node.lineno) + 1)
+            found.update(dict.fromkeys(lines, lines))
+    return found
 
 
 def _nodes(tree: ast.AST) -> Iterator[ast.expr | ast.stmt]:
@@ -196,6 +227,11 @@ class Copy:
                 shutil.copyfile(ROOT / name, folder / name)
         (folder / "coverage.ini").write_text(_COVERAGE.format(room=room), encoding="utf-8")
         self._run("-m", "coverage", "run", "--rcfile=coverage.ini", "-m", "pytest", *self._tests)
+        failed = folder / ".pytest_cache" / "v" / "cache" / "lastfailed"
+        # What fails without a change kills nothing.
+        self._failed = set(json.loads(failed.read_text())) if failed.is_file() else set[str]()
+        for one in sorted(self._failed):
+            print(f"fails without a change: {one}")
         self._data = CoverageData(str(folder / ".coverage"))
         self._data.read()
         self._files = {
@@ -213,10 +249,13 @@ class Copy:
     def tests(self, mutant: Mutant) -> list[str]:
         """Return the tests that execute a line, those of few lines first; empty if none does."""
         file_name = str(self.folder / mutant.file)
-        contexts = self._data.contexts_by_lineno(file_name).get(mutant.line, [])
+        seen = self._data.contexts_by_lineno(file_name)
+        # A line of constants within a longer statement leaves no trace of its own.
+        lines = (mutant.line,) if mutant.line in seen else mutant.statement
+        contexts = {name for line in lines for name in seen.get(line, ())}
         # What runs when a module is imported belongs to no test.
-        is_executed = mutant.line in (self._data.lines(file_name) or ())
-        named = sorted((name for name in contexts if name), key=self._lines.__getitem__)
+        is_executed = any(line in seen for line in lines)
+        named = sorted((name for name in contexts if name), key=lambda one: (self._lines[one], one))
         found = []
         for name in named:
             module, _, function = name.rpartition(".")
@@ -235,14 +274,18 @@ class Copy:
         before = file.read_text(encoding="utf-8")
         file.write_text(mutant.text, encoding="utf-8")
         try:
-            return self._run("-m", "pytest", "-x", *first) != 0 or (
-                len(tests) > len(first) and self._run("-m", "pytest", "-x", *tests) != 0
-            )
+            return self._fails(first) or (len(tests) > len(first) and self._fails(tests))
         finally:
             file.write_text(before, encoding="utf-8")
 
+    def _fails(self, tests: Sequence[str]) -> bool:
+        return self._run("-m", "pytest", "-x", *tests) not in (0, _NO_TESTS)
+
     def _run(self, *arguments: str) -> int:
-        command = [sys.executable, *arguments, "-q", "-p", "no:cacheprovider", "-p", "no:xdist"]
+        command = [sys.executable, *arguments, "-q", "-p", "no:xdist"]
+        if "-x" in arguments:
+            deselected = (part for one in self._failed for part in ("--deselect", one))
+            command += ["-p", "no:cacheprovider", *deselected]
         environment = {**os.environ, "PYTHONPATH": str(self.folder), "RAPIDSIM_NO_CACHE": "1"}
         try:
             done = subprocess.run(
