@@ -38,7 +38,14 @@ ROOMS: Mapping[str, tuple[str, ...]] = MappingProxyType(
         "collisions": ("tests/collisions",),
         "controller": ("tests/simulation", "tests/rapid", "tests/programs"),
         "interpreter": ("tests/interpreter", "tests/rapid", "tests/limits"),
-        "library": ("tests/library", "tests/rapid"),
+        "library": (
+            "tests/library",
+            "tests/rapid",
+            "tests/simulation/test_simulation_guidance.py",
+            "tests/simulation/test_simulation_home_programs.py",
+            "tests/simulation/test_simulation_loading.py",
+            "tests/simulation/test_simulation_text_tables.py",
+        ),
         "motion": (
             "tests/motion",
             "tests/programs",
