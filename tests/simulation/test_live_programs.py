@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import partial
 from pathlib import Path
 
 import pytest
@@ -92,7 +93,7 @@ def test_data_are_found_in_any_case_with_their_storage() -> None:
         ("tool0", "Tried"),
     ]
     for name, place in asked:
-        reason, message = refused(lambda name=name, place=place: symbols.find(task, name, place))
+        reason, message = refused(partial(symbols.find, task, name, place))
         assert (reason, message) == (RefusalReason.NO_SYMBOL, f"T_ROB1 has no data named {name}")
 
 
@@ -149,7 +150,7 @@ def test_only_a_value_of_the_type_is_written_and_only_to_what_may_change() -> No
         ("tool0", "1", RefusalReason.READ_ONLY),
         ("pi", "3", RefusalReason.READ_ONLY),
     ):
-        assert refused(lambda path=path, text=text: write(path, text))[0] is reason
+        assert refused(partial(write, path, text))[0] is reason
     assert symbols.is_value("[1,2,3]", "POS")
     assert not symbols.is_value("[1,2]", "pos")
     assert not symbols.is_value("1", "nothing")
