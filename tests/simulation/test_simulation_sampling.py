@@ -123,7 +123,6 @@ def test_shares_of_limits_are_percent() -> None:
 
 
 def test_corners_are_within_zones_at_both_ends_of_a_move() -> None:
-    _, robot = run()
     tcp = drawn().samples.base_from_tcp.translation
     distance = np.linalg.norm(tcp - np.array([0.7, 0.1, 0.7]), axis=1)
     move = drawn().samples.move
