@@ -65,7 +65,18 @@ ROOMS: Mapping[str, tuple[str, ...]] = MappingProxyType(
         ),
         "server": ("tests/server",),
         "simulation": ("tests/simulation", "tests/collisions"),
-        "station": ("tests/cli", "tests/simulation"),
+        "station": (
+            "tests/station",
+            "tests/cli/test_cli_init.py",
+            "tests/cli/test_cli_station.py",
+            "tests/simulation/test_simulation_backup*.py",
+            "tests/simulation/test_simulation_cells.py",
+            "tests/simulation/test_simulation_external_axes.py",
+            "tests/simulation/test_simulation_signals.py",
+            "tests/simulation/test_simulation_tasks.py",
+            "tests/simulation/test_simulation_station_page.py",
+            "tests/collisions/test_collisions_link_meshes.py",
+        ),
         "syntax": ("tests/syntax", "tests/check"),
     }
 )
