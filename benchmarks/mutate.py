@@ -36,7 +36,7 @@ ROOMS: Mapping[str, tuple[str, ...]] = MappingProxyType(
     {
         "analysis": ("tests/analysis", "tests/check"),
         "collisions": ("tests/collisions",),
-        "controller": ("tests/simulation", "tests/rapid", "tests/programs"),
+        "controller": ("tests/controller", "tests/simulation", "tests/rapid", "tests/programs"),
         "interpreter": ("tests/interpreter", "tests/rapid", "tests/limits"),
         "library": (
             "tests/library",
