@@ -69,7 +69,7 @@ def due(found: list[DueOccasion[Occasion]]) -> list[tuple[float, int]]:
 def followed(occasion: Occasion, count: int, start_s: float = 0.0) -> list[tuple[float, int]]:
     """Times and numbers at which an occasion of the clock acts."""
     found = list(Occasions([occasion]).begin(lambda _: 0.0, start_s))
-    made = []
+    made = list[tuple[float, int]]()
     while found and len(made) < count:
         (one,) = found
         made.append((one.time_s, one.occurrence))
