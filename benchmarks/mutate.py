@@ -89,6 +89,8 @@ source = rapidsim/{room}
 _FIRST_TESTS = 25
 """Tests that judge a change first, the ones that execute the fewest lines first, and at last the
 one that executes the most: it may hold whole answers. What they let through, all judge."""
+_LISTS = ROOT.parent / "shared"
+"""Lists that few tests compare with, beside the repository."""
 _LIMIT_S = 900.0
 _NO_TESTS = 5
 """What pytest returns if it has executed none."""
@@ -230,7 +232,10 @@ class Copy:
 
     def __init__(self, folder: Path, room: str) -> None:
         """Copy what tests need, and learn which of the room's execute which line."""
-        self.folder = folder
+        self.folder = folder = folder / "copy"
+        folder.mkdir()
+        if _LISTS.is_dir():
+            (folder.parent / _LISTS.name).symlink_to(_LISTS)
         self._tests = [
             found.relative_to(ROOT).as_posix()
             for pattern in ROOMS[room]
