@@ -69,9 +69,14 @@ def mean_command(trajectory: Trajectory, time: float) -> float:
 
 
 def test_without_pieces_the_arm_stands_at_its_start() -> None:
-    trajectory = Trajectory(START, FILTER)
+    start = replace(START, external=np.array([0.3, 0.4, 0.5]))
+    trajectory = Trajectory(start, FILTER)
     samples = trajectory.at(np.array([0.0, 1.0]))
     assert samples.joints == pytest.approx(np.tile(START.joints, (2, 1)))
+    assert samples.external == pytest.approx(np.tile([0.3, 0.4, 0.5], (2, 1)))
+    pose = samples.base_from_tcp
+    assert pose.rotation == pytest.approx(np.tile(START.base_from_tcp.rotation, (2, 1, 1)))
+    assert pose.translation == pytest.approx(np.tile(START.base_from_tcp.translation, (2, 1)))
     assert samples.tcp_speed == pytest.approx([0.0, 0.0])
     assert samples.move.tolist() == [0, 0]
     assert trajectory.duration == trajectory.length == trajectory.travelled_m == 0.0
