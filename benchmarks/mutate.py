@@ -170,13 +170,14 @@ def _statements(tree: ast.Module) -> dict[int, range]:
 
 
 def _nodes(tree: ast.AST) -> Iterator[ast.expr | ast.stmt]:
-    """Yield expressions and statements, but for types, texts and messages."""
+    """Yield expressions and statements, but for types, texts, messages and decorators."""
     for child in ast.iter_child_nodes(tree):
         if isinstance(child, ast.AnnAssign) and child.value is not None:
             yield from _nodes(ast.Expression(child.value))
         if isinstance(child, _SKIPPED) or _is_for_types(child) or _is_docstring(child):
             continue
-        if isinstance(child, ast.FunctionDef):
+        if isinstance(child, ast.FunctionDef | ast.ClassDef):
+            # What decorates a class, such as slots, decides its cost.
             for statement in child.body:
                 yield from _nodes(ast.Module([statement], []))
             continue
