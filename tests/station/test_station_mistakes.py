@@ -5,7 +5,9 @@ from pathlib import Path
 import pytest
 from station_files import AXIS, station
 
+from rapidsim.controller.cell.faults import FailureKind
 from rapidsim.files import InputError
+from rapidsim.station.faults import read_fault
 
 BOX = '[[object]]\nname = "part"\nbox = [10, 20, 30]\n'
 WRONG: list[tuple[str, str]] = [
@@ -244,3 +246,38 @@ def test_each_mistake_has_its_place_and_its_sentence(
     lines = caught.value.message.splitlines()
     for line, part in zip(lines, message.splitlines(), strict=True):
         assert part in line
+
+
+@pytest.mark.parametrize(
+    ("text", "help"),
+    [
+        ('[robot]\nmodell = "a"', "did you mean `model`?"),
+        ("[clock]\nxyz = 1", "known here: start"),
+        (BOX + '[[sink]]\non = "prat"', "did you mean `part`?"),
+        (BOX + '[[sink]]\non = "zz"', "there are part"),
+        ('[[sink]]\non = "zz"', "there are none"),
+        ('[[robot]]\nname = "left"\n[[task]]\nrobot = "lef"', "did you mean `left`?"),
+        ('[[robot]]\nname = "left"\n[[task]]\nrobot = "xyz"', "robots: left"),
+        ('[controller]\nrobotware = "six"', 'such as "6.15" or "7.13"'),
+        ('[controller]\nstubs = ["../a.mod"]', "only what lies in the folder of this file may be"),
+    ],
+)
+def test_a_mistake_comes_with_what_would_be_right(text: str, help: str, tmp_path: Path) -> None:
+    with pytest.raises(InputError) as caught:
+        station(text, tmp_path)
+    assert help in str(caught.value.help)
+
+
+def test_a_fault_of_a_test_may_begin_at_once_but_not_in_two_ways() -> None:
+    assert read_fault({"kind": "emergency_stop"}).kind is FailureKind.EMERGENCY_STOP
+    assert read_fault({"kind": "device_lost", "device": "d652", "at": 2}).at_s == 2.0
+    for values, message in (
+        ({"kind": "emergency_stop", "at": 1, "when": "a"}, "fault: `when` waits for signals"),
+        ({"kind": "emergency_stop", "at": 1, "nth": (1,)}, "fault.nth: it counts how often"),
+        ({"kind": "device_lost"}, "fault.device: name the device"),
+        ({}, "fault.kind: name the kind"),
+        ({"kind": "emergency_stop", "odd": 1}, "fault.odd: no such key"),
+    ):
+        with pytest.raises(InputError) as caught:
+            read_fault(values)
+        assert message in caught.value.message
