@@ -44,6 +44,8 @@ ROOMS: Mapping[str, tuple[str, ...]] = MappingProxyType(
             "tests/simulation/test_simulation_guidance.py",
             "tests/simulation/test_simulation_home_programs.py",
             "tests/simulation/test_simulation_loading.py",
+            "tests/simulation/test_simulation_sockets.py",
+            "tests/simulation/test_simulation_tasks*.py",
             "tests/simulation/test_simulation_text_tables.py",
         ),
         "motion": (
