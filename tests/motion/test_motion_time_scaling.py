@@ -46,10 +46,10 @@ def test_position_is_the_integral_of_a_speed_that_is_linear_between_nodes(
     for a, b in pairwise(times):
         t = np.linspace(a, b, 9)
         assert motion.speed_at(t) == pytest.approx(np.interp(t, times, motion.speed), abs=1e-12)
-    t = np.linspace(0.0, motion.duration, 200_000)
+    t = np.linspace(0.0, motion.duration, 50_000)
     speed = motion.speed_at(t)
     gone = np.concatenate([[0.0], np.cumsum(0.5 * (speed[1:] + speed[:-1]) * np.diff(t))])
-    assert motion.s_at(t) == pytest.approx(motion.s[0] + gone, abs=1e-8)
+    assert np.abs(motion.s_at(t) - motion.s[0] - gone).max() < 1e-7
     assert motion.acceleration == pytest.approx(np.diff(motion.speed) / np.diff(times))
 
 
