@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import pytest
 
-from rapidsim.controller.cell.datagrams import MOST_WAITING, Mailbox
+from rapidsim.controller.cell.datagrams import MOST_WAITING, DatagramTable, Mailbox
 from rapidsim.controller.cell.external_streams import ExternalStreams
 from rapidsim.controller.cell.home_folder import HomeFolder
 from rapidsim.controller.cell.operator import OperatorDialog, parse_key, parse_number
@@ -15,7 +15,12 @@ from rapidsim.controller.cell.outside_datagrams import OutsideMailboxes
 from rapidsim.controller.cell.pendant import Pendant, Question
 from rapidsim.controller.cell.socket_scripts import SocketScript, SocketStep
 from rapidsim.controller.cell.streams import Port, ScriptedPeer, StreamEnd, connected
+from rapidsim.language.error_numbers import ERR_SOCK_ADDR_INUSE, rapid_error
+from rapidsim.language.errors import RapidError
 from rapidsim.language.files import FileMode
+from rapidsim.language.sockets import Datagram
+
+Later = Callable[[float], None]
 
 
 class Network:
@@ -173,6 +178,94 @@ def test_datagrams_go_to_the_mailbox_of_their_port() -> None:
     assert len(box.received) == MOST_WAITING
     assert Mailbox("192.168.0.1", 1).sender == "192.168.0.1"
     assert Mailbox("", 1).sender == Mailbox("localhost", 1).sender != ""
+
+
+def table(*scripts: SocketScript) -> tuple[DatagramTable, list[tuple[float, Later]]]:
+    """A table of ports, and what its scripts have scheduled."""
+    later: list[tuple[float, Later]] = []
+    return DatagramTable(scripts, lambda at, act: later.append((at, act))), later
+
+
+def in_box(mailbox: Mailbox) -> list[tuple[bytes, str, int]]:
+    found = [(one.data, one.address, one.port) for one in mailbox.received]
+    mailbox.received.clear()
+    return found
+
+
+def test_a_datagram_goes_to_a_script_a_task_or_the_network() -> None:
+    camera = SocketScript(
+        port=2000,
+        steps=(SocketStep(expect=b"Q", send=b"A"),),
+        serves=True,
+        is_datagrams=True,
+        repeats=True,
+    )
+    ports, _ = table(camera)
+    near, other, network = Mailbox(), Mailbox(), Network()
+    ports.bind(other, "127.0.0.1", 3000, 0.0)
+    assert ports.send(near, "10.0.0.5", 2000, b"Q", 1.0)
+    assert in_box(near) == [(b"A", "10.0.0.5", 2000)]
+    assert (near.port, near.talks_to_script) == (49152, True)
+    assert ports.send(near, "localhost", 3000, b"hello", 1.0)
+    assert ports.send(near, "127.0.0.1", 3000, b"again", 1.0)
+    assert in_box(other) == [(b"hello", "127.0.0.1", 49152), (b"again", "127.0.0.1", 49152)]
+    assert not ports.send(near, "10.0.0.9", 3000, b"far", 1.0)
+    assert not ports.send(near, "127.0.0.1", 3001, b"nobody", 1.0)
+    assert in_box(other) == []
+    ports.outside = OutsideMailboxes(network)
+    assert ports.send(near, "10.0.0.9", 3000, b"far", 1.0)
+    assert network.taken() == [("send", 49152, "10.0.0.9", 3000, b"far")]
+    second = Mailbox()
+    assert ports.send(second, "10.0.0.9", 3000, b"far", 1.0)
+    assert network.taken()[0] == ("open", 49153, "", False)
+    with pytest.raises(RapidError, match="another socket has port 3000 already") as caught:
+        ports.bind(second, "127.0.0.1", 3000, 2.0)
+    assert caught.value.errno == ERR_SOCK_ADDR_INUSE
+    near.deliver(Datagram(b"late", "", 0))
+    ports.close(near)
+    assert network.taken() == []  # It was opened before there was a network.
+    assert in_box(near) == []
+    ports.close(other)
+    ports.bind(second, "127.0.0.1", 3000, 2.0)
+    assert ports.is_scripted(2000, serves=True)
+    assert not ports.is_scripted(2000, serves=False)
+    assert not ports.is_scripted(3000, serves=True)
+
+
+def test_a_script_that_sends_first_waits_for_its_port() -> None:
+    first = SocketScript(
+        port=3000, steps=(SocketStep(send=b"1"),), serves=False, is_datagrams=True, after_s=0.5
+    )
+    ports, later = table(first)
+    mailbox = Mailbox()
+    ports.bind(mailbox, "127.0.0.1", 3001, 1.0)
+    assert later == []
+    ports.close(mailbox)
+    ports.bind(mailbox, "127.0.0.1", 3000, 1.0)
+    ((at, act),) = later
+    assert at == pytest.approx(1.5)
+    assert in_box(mailbox) == []
+    act(1.5)
+    assert in_box(mailbox) == [(b"1", "127.0.0.1", 60000)]
+    again, later = table(first)
+    again.bind(mailbox, "127.0.0.1", 3000, 1.0)
+    again.close(mailbox)
+    later[0][1](1.5)
+    assert in_box(mailbox) == []
+
+
+def test_a_port_that_the_network_refuses_is_not_taken() -> None:
+    class Full(Network):
+        def open_mailbox(self, port: int, address: str, *, is_bound: bool) -> None:
+            raise rapid_error(ERR_SOCK_ADDR_INUSE, "full")
+
+    ports, _ = table()
+    ports.outside = OutsideMailboxes(Full())
+    mailbox = Mailbox("1.2.3.4", 7)
+    with pytest.raises(RapidError, match="full"):
+        ports.bind(mailbox, "127.0.0.1", 3000, 0.0)
+    assert (mailbox.address, mailbox.port) == ("1.2.3.4", 7)
+    ports.require_free(3000)
 
 
 @pytest.mark.parametrize(
