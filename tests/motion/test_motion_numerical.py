@@ -15,6 +15,7 @@ from rapidsim.motion.configurations.scipy_solvers import (
     search,
 )
 from rapidsim.motion.kinematics.numerical.offset_wrist import near_arm
+from rapidsim.motion.kinematics.numerical.revolute_chain import AxisRowGeometry
 from rapidsim.motion.kinematics.numerical.solver import Numerical
 from rapidsim.motion.kinematics.serial_chain import AxesAtZero, SerialChain
 from rapidsim.motion.kinematics.unwrapping import principal
@@ -194,3 +195,17 @@ def test_scipy_gives_up_with_numbers() -> None:
     found = search(load_robot("irb120"), Transform(np.eye(3), np.array([2.0, 0.0, 0.5])), "lm")
     assert not found.solved
     assert found.distance > 0.5
+
+
+def test_directions_of_axes_may_have_any_length() -> None:
+    points = ((0.0, 0.0, 0.1), (0.2, 0.0, 0.3), (0.4, 0.1, 0.3))
+    unit = ((0.0, 0.0, 1.0), (0.0, -1.0, 0.0), (0.6, 0.0, 0.8))
+    longer = ((0.0, 0.0, 2.0), (0.0, -0.5, 0.0), (3.0, 0.0, 4.0))
+    flange = (0.5, 0.0, 0.3), (0.0, 2.0, 0.0, 0.0)
+    one, other = (AxisRowGeometry(points, each, *flange).axes for each in (unit, longer))
+    assert other.directions == pytest.approx(np.array(unit))
+    assert other.directions == pytest.approx(one.directions)
+    assert other.base_from_flange.rotation == pytest.approx(np.diag([1.0, -1.0, -1.0]))
+    links = other.base_from_link
+    assert links.translation == pytest.approx(np.array([*points[:2], (0.5, 0.0, 0.3)]))
+    assert links.rotation == pytest.approx(np.tile(np.eye(3), (3, 1, 1)))
