@@ -10,9 +10,8 @@ from rapidsim.motion.trajectory.even_joints import PART_S, PLACES, EvenJoints
 
 
 def test_places_are_those_of_gauss_with_three_points() -> None:
-    assert PLACES == pytest.approx(
-        [0.5 * (1.0 + x) for x in (-math.sqrt(0.6), 0.0, math.sqrt(0.6))]
-    )
+    places = [0.5 * (1.0 + x) for x in (-math.sqrt(0.6), 0.0, math.sqrt(0.6))]
+    assert places == pytest.approx(PLACES.tolist())
 
 
 def test_joints_are_computed_once_and_those_outside_each_time() -> None:
