@@ -66,7 +66,11 @@ ROOMS: Mapping[str, tuple[str, ...]] = MappingProxyType(
             "tests/simulation/*_reach_*.py",
         ),
         "server": ("tests/server",),
-        "simulation": ("tests/simulation", "tests/collisions"),
+        "simulation": (
+            "tests/simulation",
+            "tests/collisions",
+            "tests/report/test_report_verdict.py",
+        ),
         "station": (
             "tests/station",
             "tests/cli/test_cli_init.py",
