@@ -97,6 +97,10 @@ _FIRST_TESTS = 25
 one that executes the most: it may hold whole answers. What they let through, all judge."""
 _LISTS = ROOT.parent / "shared"
 """Lists that few tests compare with, beside the repository."""
+_UNTRACED: Mapping[str, tuple[str, ...]] = MappingProxyType(
+    {"controller": ("tests/simulation/test_simulation_runs.py",)}
+)
+"""Tests of what a room does only where nothing traces it: moves in columns."""
 _LIMIT_S = 900.0
 _NO_TESTS = 5
 """What pytest returns if it has executed none."""
@@ -243,6 +247,7 @@ class Copy:
         folder.mkdir()
         if _LISTS.is_dir():
             (folder.parent / _LISTS.name).symlink_to(_LISTS)
+        self._untraced = list(_UNTRACED.get(room, ()))
         self._tests = [
             found.relative_to(ROOT).as_posix()
             for pattern in ROOMS[room]
@@ -294,7 +299,7 @@ class Copy:
             file = self._files.get(module.rpartition(".")[2])
             if file is not None:
                 found.append(f"{file}::{function}")
-        return found or (self._tests if is_executed else [])
+        return found or (self._tests if is_executed else self._untraced)
 
     def kills(self, mutant: Mutant) -> bool:
         """Whether a test notices a change."""
