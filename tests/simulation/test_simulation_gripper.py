@@ -112,6 +112,7 @@ ENDPROC
         ("grip", "after_it", ["grip;\n  "]),
         ("grip", "move", ["grip;\n  after_it;\n", "\nPROC c()\n  before_it;\n  "]),
         ("between", "move", ["between;\n", "\nPROC c()\n  before_it;\n  "]),
+        ("grip", "between", ["grip;\n  after_it;\n", "\nPROC b()\n  "]),
         ("after_it", "grip", ["after_it;\n", "PROC a()\n  "]),
     ],
 )
