@@ -186,6 +186,9 @@ def _nodes(tree: ast.AST) -> Iterator[ast.expr | ast.stmt]:
             yield from _nodes(ast.Expression(child.value))
         if isinstance(child, _SKIPPED) or _is_for_types(child) or _is_docstring(child):
             continue
+        # Of sequences that are as long as each other, it only says so.
+        if isinstance(child, ast.keyword) and child.arg == "strict":
+            continue
         if isinstance(child, ast.FunctionDef | ast.ClassDef):
             # What decorates a class, such as slots, decides its cost.
             for statement in child.body:
