@@ -89,9 +89,21 @@ ROOMS: Mapping[str, tuple[str, ...]] = MappingProxyType(
 """Patterns of the tests that decide about a room."""
 _COVERAGE = """[run]
 concurrency = thread,greenlet
-dynamic_context = test_function
 source = rapidsim/{room}
 """
+_PLUGIN = "contexts_of_tests"
+_CONTEXTS = """import coverage
+import pytest
+
+
+@pytest.hookimpl(wrapper=True, tryfirst=True)
+def pytest_runtest_protocol(item):
+    measured = coverage.Coverage.current()
+    if measured is not None:
+        measured.switch_context(item.nodeid.partition("[")[0])
+    return (yield)
+"""
+"""Not by the names of functions: that which executes a law of Hypothesis is called a test, too."""
 _FIRST_TESTS = 25
 """Tests that judge a change first, the ones that execute the fewest lines first, and at last the
 one that executes the most: it may hold whole answers. What they let through, all judge."""
@@ -264,7 +276,9 @@ class Copy:
                 (folder / name).parent.mkdir(parents=True, exist_ok=True)
                 shutil.copyfile(ROOT / name, folder / name)
         (folder / "coverage.ini").write_text(_COVERAGE.format(room=room), encoding="utf-8")
-        self._run("-m", "coverage", "run", "--rcfile=coverage.ini", "-m", "pytest", *self._tests)
+        (folder / f"{_PLUGIN}.py").write_text(_CONTEXTS, encoding="utf-8")
+        measured = ("-m", "coverage", "run", "--rcfile=coverage.ini", "-m", "pytest")
+        self._run(*measured, "-p", _PLUGIN, *self._tests)
         failed = folder / ".pytest_cache" / "v" / "cache" / "lastfailed"
         self._failed = set[str]()
         # What fails without a change, and not for being traced, kills nothing.
@@ -274,10 +288,6 @@ class Copy:
             print(f"fails without a change: {one}")
         self._data = CoverageData(str(folder / ".coverage"))
         self._data.read()
-        self._files = {
-            path.stem: path.relative_to(folder).as_posix()
-            for path in (folder / "tests").rglob("test_*.py")
-        }
         contexts = Counter(
             context
             for file in self._data.measured_files()
@@ -296,13 +306,7 @@ class Copy:
         # What runs when a module is imported belongs to no test.
         is_executed = any(line in seen for line in lines)
         named = sorted((name for name in contexts if name), key=lambda one: (self._lines[one], one))
-        found = []
-        for name in named:
-            module, _, function = name.rpartition(".")
-            file = self._files.get(module.rpartition(".")[2])
-            if file is not None:
-                found.append(f"{file}::{function}")
-        return found or (self._tests if is_executed else self._untraced)
+        return named or (self._tests if is_executed else self._untraced)
 
     def kills(self, mutant: Mutant) -> bool:
         """Whether a test notices a change."""
