@@ -385,3 +385,21 @@ def test_an_arm_is_bounded_as_its_backup_says() -> None:
     assert one.has_bounds_of("irb120")
     assert not one.has_bounds_of("irb140")
     assert StationRobot().has_bounds_of("irb140")
+
+
+@pytest.mark.parametrize(
+    ("text", "parent"),
+    [
+        ("world", Parent(ParentKind.WORLD)),
+        ("tool", Parent(ParentKind.TOOL)),
+        ("link:0", Parent(ParentKind.LINK, link=0)),
+        ("link : 99", Parent(ParentKind.LINK, link=99)),
+        ("unit:STN1:1", Parent(ParentKind.UNIT, name="STN1", link=1)),
+        ("unit:STN1:6", Parent(ParentKind.UNIT, name="STN1", link=6)),
+    ],
+)
+def test_a_body_is_fixed_to_its_parent(text: str, parent: Parent, tmp_path: Path) -> None:
+    body = f'[[object]]\nname = "a"\nplane = true\nparent = "{text}"\n'
+    cell = station(body, tmp_path).geometry
+    assert cell is not None
+    assert cell.objects[0].parent == parent
