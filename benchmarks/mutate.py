@@ -15,6 +15,7 @@ from __future__ import annotations
 import argparse
 import ast
 import copy
+import json
 import os
 import random
 import shutil
@@ -41,7 +42,7 @@ ROOMS: Mapping[str, tuple[str, ...]] = MappingProxyType(
             "tests/workspace",
         ),
         "collisions": ("tests/collisions",),
-        "controller": ("tests/simulation", "tests/rapid", "tests/programs"),
+        "controller": ("tests/controller", "tests/simulation", "tests/rapid", "tests/programs"),
         "interpreter": (
             "tests/check/test_check_runs.py",
             "tests/cli/test_cli_call_stack.py",
@@ -54,8 +55,26 @@ ROOMS: Mapping[str, tuple[str, ...]] = MappingProxyType(
             # Behind a debugger nothing is counted any more.
             "tests/dap",
         ),
-        "library": ("tests/library", "tests/rapid"),
-        "motion": ("tests/motion", "tests/programs"),
+        "library": (
+            "tests/library",
+            "tests/rapid",
+            "tests/simulation/test_simulation_guidance.py",
+            "tests/simulation/test_simulation_home_programs.py",
+            "tests/simulation/test_simulation_loading.py",
+            "tests/simulation/test_simulation_sockets.py",
+            "tests/simulation/test_simulation_tasks*.py",
+            "tests/simulation/test_simulation_text_tables.py",
+        ),
+        "motion": (
+            "tests/motion",
+            "tests/programs",
+            "tests/plots/test_plots_followed.py",
+            "tests/simulation/test_live_jogging.py",
+            "tests/simulation/test_simulation_belts.py",
+            "tests/simulation/test_simulation_guidance.py",
+            "tests/simulation/test_simulation_path_correction.py",
+            "tests/simulation/test_simulation_reach_cures.py",
+        ),
         "reach": (
             "tests/check",
             "tests/cli/test_cli_best_arm.py",
@@ -68,21 +87,56 @@ ROOMS: Mapping[str, tuple[str, ...]] = MappingProxyType(
             "tests/simulation/test_simulation_wrist_circle.py",
         ),
         "server": ("tests/server",),
-        "simulation": ("tests/simulation", "tests/collisions"),
-        "station": ("tests/cli", "tests/simulation"),
+        "simulation": (
+            "tests/simulation",
+            "tests/collisions",
+            "tests/report/test_report_verdict.py",
+        ),
+        "station": (
+            "tests/station",
+            "tests/cli/test_cli_init.py",
+            "tests/cli/test_cli_station.py",
+            "tests/simulation/test_simulation_backup*.py",
+            "tests/simulation/test_simulation_cells.py",
+            "tests/simulation/test_simulation_external_axes.py",
+            "tests/simulation/test_simulation_signals.py",
+            "tests/simulation/test_simulation_tasks.py",
+            "tests/simulation/test_simulation_station_page.py",
+            "tests/collisions/test_collisions_link_meshes.py",
+        ),
         "syntax": ("tests/syntax", "tests/check"),
     }
 )
 """Patterns of the tests that decide about a room."""
 _COVERAGE = """[run]
 concurrency = thread,greenlet
-dynamic_context = test_function
 source = rapidsim/{room}
 """
+_PLUGIN = "contexts_of_tests"
+_CONTEXTS = """import coverage
+import pytest
+
+
+@pytest.hookimpl(wrapper=True, tryfirst=True)
+def pytest_runtest_protocol(item):
+    measured = coverage.Coverage.current()
+    if measured is not None:
+        measured.switch_context(item.nodeid.partition("[")[0])
+    return (yield)
+"""
+"""Not by the names of functions: that which executes a law of Hypothesis is called a test, too."""
 _FIRST_TESTS = 25
 """Tests that judge a change first, the ones that execute the fewest lines first, and at last the
 one that executes the most: it may hold whole answers. What they let through, all judge."""
+_LISTS = ROOT.parent / "shared"
+"""Lists that few tests compare with, beside the repository."""
+_UNTRACED: Mapping[str, tuple[str, ...]] = MappingProxyType(
+    {"controller": ("tests/simulation/test_simulation_runs.py",)}
+)
+"""Tests of what a room does only where nothing traces it: moves in columns."""
 _LIMIT_S = 900.0
+_NO_TESTS = 5
+"""What pytest returns if it has executed none."""
 _OPPOSITES: Mapping[type[ast.AST], tuple[type[ast.AST], ...]] = MappingProxyType(
     {
         ast.Lt: (ast.GtE,),
@@ -118,6 +172,8 @@ class Mutant:
     after: str
     text: str
     """The whole file."""
+    statement: range
+    """Lines of the smallest statement around it, of a compound one those of its head."""
 
 
 def mutants(file: str, text: str, *, texts: bool = False) -> Iterator[Mutant]:
@@ -127,7 +183,9 @@ def mutants(file: str, text: str, *, texts: bool = False) -> Iterator[Mutant]:
     for line in lines:
         starts.append(starts[-1] + len(line))
     data = text.encode()
-    for node in _nodes(ast.parse(text)):
+    tree = ast.parse(text)
+    statements = _statements(tree)
+    for node in _nodes(tree):
         if node.end_lineno is None or node.end_col_offset is None:
             continue
         begin = starts[node.lineno - 1] + node.col_offset
@@ -136,17 +194,36 @@ def mutants(file: str, text: str, *, texts: bool = False) -> Iterator[Mutant]:
             after = ast.unparse(changed)
             after = f"({after})" if isinstance(changed, ast.expr) else after
             new = (data[:begin] + after.encode() + data[end:]).decode()
-            yield Mutant(file, node.lineno, data[begin:end].decode(), after, new)
+            line, before = node.lineno, data[begin:end].decode()
+            own = range(line, line + 1)
+            yield Mutant(file, line, before, after, new, statements.get(line, own))
+
+
+def _statements(tree: ast.Module) -> dict[int, range]:
+    """Return the lines of the smallest statement around each line."""
+    found = {}
+    for node in ast.walk(tree):
+        if isinstance(node, ast.stmt):
+            body = getattr(node, "body", None)
+            begin = min([node.lineno, *(o.lineno for o in getattr(node, "decorator_list", ()))])
+            end = body[0].lineno - 1 if body else node.end_lineno or node.lineno
+            lines = range(begin, max(end, node.lineno) + 1)
+            found.update(dict.fromkeys(lines, lines))
+    return found
 
 
 def _nodes(tree: ast.AST) -> Iterator[ast.expr | ast.stmt]:
-    """Yield expressions and statements, but for types, texts and messages."""
+    """Yield expressions and statements, but for types, texts, messages and decorators."""
     for child in ast.iter_child_nodes(tree):
         if isinstance(child, ast.AnnAssign) and child.value is not None:
             yield from _nodes(ast.Expression(child.value))
         if isinstance(child, _SKIPPED) or _is_for_types(child) or _is_docstring(child):
             continue
-        if isinstance(child, ast.FunctionDef):
+        # Of sequences that are as long as each other, it only says so.
+        if isinstance(child, ast.keyword) and child.arg == "strict":
+            continue
+        if isinstance(child, ast.FunctionDef | ast.ClassDef):
+            # What decorates a class, such as slots, decides its cost.
             for statement in child.body:
                 yield from _nodes(ast.Module([statement], []))
             continue
@@ -202,7 +279,11 @@ class Copy:
 
     def __init__(self, folder: Path, room: str) -> None:
         """Copy what tests need, and learn which of the room's execute which line."""
-        self.folder = folder
+        self.folder = folder = folder / "copy"
+        folder.mkdir()
+        if _LISTS.is_dir():
+            (folder.parent / _LISTS.name).symlink_to(_LISTS)
+        self._untraced = list(_UNTRACED.get(room, ()))
         self._tests = [
             found.relative_to(ROOT).as_posix()
             for pattern in ROOMS[room]
@@ -216,13 +297,18 @@ class Copy:
                 (folder / name).parent.mkdir(parents=True, exist_ok=True)
                 shutil.copyfile(ROOT / name, folder / name)
         (folder / "coverage.ini").write_text(_COVERAGE.format(room=room), encoding="utf-8")
-        self._run("-m", "coverage", "run", "--rcfile=coverage.ini", "-m", "pytest", *self._tests)
+        (folder / f"{_PLUGIN}.py").write_text(_CONTEXTS, encoding="utf-8")
+        measured = ("-m", "coverage", "run", "--rcfile=coverage.ini", "-m", "pytest")
+        self._run(*measured, "-p", _PLUGIN, *self._tests)
+        failed = folder / ".pytest_cache" / "v" / "cache" / "lastfailed"
+        self._failed = set[str]()
+        # What fails without a change, and not for being traced, kills nothing.
+        found = json.loads(failed.read_text()) if failed.is_file() else {}
+        self._failed = {one for one in sorted(found) if self._fails([one])}
+        for one in sorted(self._failed):
+            print(f"fails without a change: {one}")
         self._data = CoverageData(str(folder / ".coverage"))
         self._data.read()
-        self._files = {
-            path.stem: path.relative_to(folder).as_posix()
-            for path in (folder / "tests").rglob("test_*.py")
-        }
         contexts = Counter(
             context
             for file in self._data.measured_files()
@@ -234,17 +320,14 @@ class Copy:
     def tests(self, mutant: Mutant) -> list[str]:
         """Return the tests that execute a line, those of few lines first; empty if none does."""
         file_name = str(self.folder / mutant.file)
-        contexts = self._data.contexts_by_lineno(file_name).get(mutant.line, [])
+        seen = self._data.contexts_by_lineno(file_name)
+        # A line of constants within a longer statement leaves no trace of its own.
+        lines = (mutant.line,) if mutant.line in seen else mutant.statement
+        contexts = {name for line in lines for name in seen.get(line, ())}
         # What runs when a module is imported belongs to no test.
-        is_executed = mutant.line in (self._data.lines(file_name) or ())
-        named = sorted((name for name in contexts if name), key=self._lines.__getitem__)
-        found = []
-        for name in named:
-            module, _, function = name.rpartition(".")
-            file = self._files.get(module.rpartition(".")[2])
-            if file is not None:
-                found.append(f"{file}::{function}")
-        return found or (self._tests if is_executed else [])
+        is_executed = any(line in seen for line in lines)
+        named = sorted((name for name in contexts if name), key=lambda one: (self._lines[one], one))
+        return named or (self._tests if is_executed else self._untraced)
 
     def kills(self, mutant: Mutant) -> bool:
         """Whether a test notices a change."""
@@ -256,14 +339,18 @@ class Copy:
         before = file.read_text(encoding="utf-8")
         file.write_text(mutant.text, encoding="utf-8")
         try:
-            return self._run("-m", "pytest", "-x", *first) != 0 or (
-                len(tests) > len(first) and self._run("-m", "pytest", "-x", *tests) != 0
-            )
+            return self._fails(first) or (len(tests) > len(first) and self._fails(tests))
         finally:
             file.write_text(before, encoding="utf-8")
 
+    def _fails(self, tests: Sequence[str]) -> bool:
+        return self._run("-m", "pytest", "-x", *tests) not in (0, _NO_TESTS)
+
     def _run(self, *arguments: str) -> int:
-        command = [sys.executable, *arguments, "-q", "-p", "no:cacheprovider", "-p", "no:xdist"]
+        command = [sys.executable, *arguments, "-q", "-p", "no:xdist"]
+        if "-x" in arguments:
+            deselected = (part for one in self._failed for part in ("--deselect", one))
+            command += ["-p", "no:cacheprovider", *deselected]
         environment = {**os.environ, "PYTHONPATH": str(self.folder), "RAPIDSIM_NO_CACHE": "1"}
         try:
             done = subprocess.run(

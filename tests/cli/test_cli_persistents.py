@@ -34,6 +34,15 @@ def test_values_are_written_where_they_are_declared(tmp_path: Path) -> None:
     assert file.read_text() == COUNTS.replace("n:=1;", "n:=3;")
 
 
+def test_comments_and_lines_between_values_stay(tmp_path: Path) -> None:
+    file = tmp_path / "a.mod"
+    text = "PERS num n{3}:=[1, ! the first\n    2,\t- 3];"
+    file.write_text(f"MODULE a\n  {text}\n  PROC main()\n    n:=[1,7,8];\n  ENDPROC\nENDMODULE\n")
+    assert rapidsim("run", "a.mod", "--no-record", "--write-pers", cwd=tmp_path).code == 0
+    written = text.replace("2", "7").replace("- 3", "8")
+    assert written in file.read_text()
+
+
 def test_values_are_written_after_an_error_too(tmp_path: Path) -> None:
     file = tmp_path / "a.mod"
     file.write_text(COUNTS.replace("n:=n+1;", "n:=0; n:=1/n;"))

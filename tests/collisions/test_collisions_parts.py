@@ -18,6 +18,7 @@ from command_line import call
 import rapidsim
 from rapidsim.api.run import Run
 from rapidsim.api.schemas import json_schema
+from rapidsim.simulation import cell_bodies
 
 CELLS = Path(__file__).parent / "cells"
 SHOP, TOOLS = CELLS / "shop" / "shop.mod", CELLS / "tools" / "tools.mod"
@@ -242,3 +243,30 @@ def test_mistakes_in_tables_of_parts_are_told_at_once(tmp_path: Path) -> None:
         "there is no object `bin`",
     ):
         assert problem in words, words
+
+
+@pytest.mark.parametrize(
+    ("first_s", "every_s", "end_s", "times"),
+    [
+        (0.5, 0.5, 2.0, [0.5, 1.0, 1.5, 2.0]),
+        (0.5, 0.6, 2.0, [0.5, 1.1, 1.7]),
+        (2.0, 0.5, 2.0, [2.0]),
+        (2.1, 0.5, 2.0, []),
+        (1.0, None, 2.0, [1.0]),
+        (2.1, None, 2.0, []),
+    ],
+)
+def test_copies_come_until_the_end_of_a_run(
+    first_s: float, every_s: float | None, end_s: float, times: list[float]
+) -> None:
+    assert cell_bodies._series(first_s, every_s, end_s) == pytest.approx(times)
+
+
+def test_motions_with_a_short_rest_between_them_are_one() -> None:
+    rest_s = cell_bodies._STOPPING_S
+    later = 3.0 + 2.0 * rest_s
+    found = cell_bodies._merge_intervals([(later, 5.0), (1.0, 2.0), (0.0, 3.0), (5.0, 6.0)])
+    assert found == ((0.0, 3.0), (later, 6.0))
+    assert cell_bodies._merge_intervals([(0.0, 1.0), (1.0 + 0.5 * rest_s, 2.0)]) == ((0.0, 2.0),)
+    most = cell_bodies._MOST_COPIES
+    assert len(cell_bodies._series(0.0, 1e-6, 1e6)) == most + 1

@@ -42,6 +42,17 @@ def test_buttons(controller: RecordingController, buttons: str, choice: int, res
     assert controller.call("UIMessageBox", message="?", buttons=value(buttons)) == value(result)
 
 
+@pytest.mark.parametrize("buttons", [6.0, 99.0, -2.0])
+def test_buttons_of_another_number_are_ok_alone(
+    controller: RecordingController, buttons: float
+) -> None:
+    pressed: Box[float] = Box(0.0)
+    controller.call("UIMsgBox", "Go on?", buttons=buttons, result=pressed)
+    assert pressed.value == value("resOK")
+    assert controller.log == ["Go on? OK"]
+    assert controller.call("UIMessageBox", message="?", buttons=value("btnNone")) == 0.0
+
+
 def test_message_boxes(controller: RecordingController) -> None:
     controller.call("UIMsgBox", "line 1", header="Cell", msg_line2="line 2")
     controller.call("UIMsgBox", "only shown", buttons=value("btnNone"))

@@ -12,6 +12,7 @@ from rapidsim.language.records import RECORD_CLASSES, record_of
 from rapidsim.language.single_precision import single
 from rapidsim.language.types import Alias, ArrayOf, Kind, Record, resolved
 from rapidsim.library.catalogue import ROUTINES
+from rapidsim.library.named_numbers import ENUMERATIONS
 from rapidsim.library.predefined import DATA, TYPES
 from rapidsim.library.versions import SINCE
 
@@ -143,3 +144,76 @@ def test_arrays_start_as_nested_lists() -> None:
     assert value[0] is not value[1]
     with pytest.raises(ValueError, match="no size of its own"):
         initial_value(ArrayOf(TYPES["pos"], (None,)))  # type: ignore[arg-type]
+
+
+FIRST_NUMBERS = {
+    "resUnkwn": 0,
+    "btnNone": -1,
+    "iconNone": 0,
+    "TP_LATEST": 1,
+    "OPTIMAL_CYCLE_TIME_MODE": 1,
+    "inpos": 1,
+    "TRIGG_MODE1": 1,
+    "TUNE_DF": 0,
+    "MASS_KNOWN": 1,
+    "TOOL_LOAD_ID": 1,
+    "ROB_LOAD_VAL": 10,
+    "AIO_ABOVE_HIGH": 1,
+    "BUSSTATE_HALTED": 0,
+    "IOBUS_LOG_STATE_STOPPED": 10,
+    "IOBUS_PHYS_STATE_HALTED": 20,
+    "low": 0,
+    "IOUNIT_RUNNING": 1,
+    "IOUNIT_LOG_STATE_DISABLED": 10,
+    "IOUNIT_PHYS_STATE_DEACTIVATED": 20,
+    "SIGORIG_NONE": 0,
+    "SOCKET_CREATED": 1,
+    "ALL_DOMAINS": 0,
+    "COMMON_ERR": 0,
+    "PROCESS_ERR": 11,
+    "TYPE_ALL": 0,
+    "EVENT_NONE": 0,
+    "LEVEL_NORMAL": 0,
+    "HANDLER_NONE": 0,
+    "OpAdd": 1,
+    "LT": 1,
+    "OP_UNDEF": 0,
+    "RUN_UNDEF": 0,
+    "TSP_STATUS_NOT_NORMAL_TASK": 0,
+    "TSP_UNCHECKED_RUN_SERV_ROUT": 10,
+    "resolver_angle": 1,
+    "speed_ref": 4,
+    "speed": 6,
+    "torque_ref": 9,
+    "dig_input1": 102,
+    "RampTorqRefOpen": 1,
+    "EGM_FRAME_BASE": 0,
+    "EGM_STATE_DISCONNECTED": 0,
+    "EGM_STOP_HOLD": 0,
+    "STATE_ERROR": -1,
+    "LTAPP__RESET": 3,
+    "LTAPP__APM_P1": 31,
+    "LTAPP__ROT_Y": 51,
+    "LTAPP__X0": 54,
+    "CSS_POSX": 1,
+    "CSS_X": 1,
+    "CSS_REFFRAME_TOOL": 0,
+    "CAP_START": 0,
+}
+"""Of each row of names; those behind a first name, and rows that go on, are counted through."""
+
+
+def test_named_numbers_are_counted_from_their_first() -> None:
+    first: dict[str, int] = {}
+    after: dict[str, int] = {}
+    for type_name, number, names in ENUMERATIONS:
+        one, *_ = names.split()
+        if after.get(type_name) != number:
+            first[one] = number
+        after[type_name] = number + len(names.split())
+        for at, name in enumerate(names.split(), start=number):
+            data = DATA[name.lower()]
+            assert (data.name, data.type.name, data.value) == (name, type_name, float(at))
+            assert data.constant
+            assert not data.persistent
+    assert first == FIRST_NUMBERS

@@ -111,5 +111,13 @@ def test_refusal(value: object, start: float, options: dict[str, object], messag
 def test_bytes_that_are_not_there_are_refused() -> None:
     with pytest.raises(RapidError, match="no 4 bytes from 2 in raw bytes of length 3"):
         call("UnpackRawBytes", Box(b"abc"), 2.0, Box(0.0), float4=True, of=NUM)
+    other = Box(b"")
+    call("CopyRawBytes", Box(b"abc"), 3.0, other, 1.0, no_of_bytes=0.0)
+    assert other.value == b""
+    for start, count in ((1.0, -1.0), (1.0, 4.0), (3.0, 2.0)):
+        with pytest.raises(RapidError, match=f"no {count:g} bytes from {start:g} in raw bytes"):
+            call("CopyRawBytes", Box(b"abc"), start, other, 1.0, no_of_bytes=count)
+    with pytest.raises(RapidError, match=r"there is no byte 1\.5; bytes are 1\.\.1024"):
+        call("CopyRawBytes", Box(b"abc"), 1.5, other, 1.0)
     with pytest.raises(RapidError, match="are no number"):
         call("UnpackRawBytes", Box(b"\xff" * 4), 1.0, Box(0.0), float4=True, of=NUM)

@@ -293,3 +293,58 @@ def test_a_limit_on_the_way_is_called_a_limit() -> None:
     assert refused.help is not None
     assert "--conf=-2,2,-2,6" in refused.help
     assert followed(follow(robot, points, down, BARE, Plan())).deviation_max < 1e-12
+
+
+LEVEL = np.tile([0.0, 1.0, 0.0, 0.0], (2, 1))
+
+
+def test_at_a_lone_point_the_arm_rests_and_at_none_there_is_nothing() -> None:
+    robot = load_robot("irb1600")
+    none = follow(robot, Points(np.zeros((0, 3)), None), np.zeros((0, 4)), BARE, Plan())
+    assert isinstance(none, Refused)
+    assert none.message == "a trajectory needs points"
+    one = Points(np.array([[0.6, 0.1, 0.5]]), LEVEL[:1])
+    result = followed(follow(robot, one, LEVEL[:1], TOOL_HEAD, Plan()))
+    assert (result.duration, result.path_length, result.peak_speed) == (0.0, 0.0, 0.0)
+    assert result.samples.base_from_tcp.translation == pytest.approx(one.positions, abs=1e-9)
+    assert result.deviation_max < 1e-9
+    assert result.from_chord < 1e-9
+    assert (result.poses_solved, result.dt) == (1, 0.012)
+    assert not result.joint_peaks.any()
+    assert result.joint_peaks.shape == result.overshoot.shape == (6,)
+    far = Points(np.array([[9.0, 0.1, 0.5]]), LEVEL[:1])
+    refused = follow(robot, far, LEVEL[:1], TOOL_HEAD, Plan())
+    assert isinstance(refused, Refused)
+    assert refused.message.startswith("point 1: ")
+    assert refused.segment == 0
+
+
+def test_figures_of_a_joint_move_are_those_of_its_samples() -> None:
+    robot = load_robot("irb1600")
+    points = Points(np.array([[0.6, -0.2, 0.5], [0.7, 0.2, 0.6]]), LEVEL)
+    result = followed(follow(robot, points, LEVEL, TOOL_HEAD, Plan(Way.JOINT, speed=0.2), dt=0.001))
+    samples = result.samples
+    steps = np.diff(samples.times)
+    speeds = np.abs(np.diff(samples.joints, axis=0)) / steps[:, None]
+    assert result.joint_peaks == pytest.approx(speeds.max(axis=0), rel=1e-2)
+    tcp = samples.base_from_tcp.translation
+    way = np.linalg.norm(np.diff(tcp, axis=0), axis=1)
+    assert result.path_length == pytest.approx(way.sum())
+    assert result.peak_speed == pytest.approx((way / steps).max(), rel=1e-2)
+    assert result.deviation_rms == pytest.approx(float(np.sqrt(np.mean(result.deviation**2))))
+    assert result.even_duration == pytest.approx(way.sum() / 0.2)
+    limits = [joint.max_speed or 1.0 for joint in robot.joints]
+    assert result.speed_ratios == pytest.approx(result.joint_peaks / limits)
+    chord = points.positions[1] - points.positions[0]
+    off = np.linalg.norm(np.cross(tcp - points.positions[0], chord), axis=1)
+    assert result.deviation == pytest.approx(off / np.linalg.norm(chord), abs=1e-9)
+
+
+def test_a_trajectory_of_too_many_samples_is_refused() -> None:
+    robot = load_robot("irb1600")
+    points = Points(np.array([[0.6, -0.2, 0.5], [0.6, 0.2, 0.5]]), LEVEL)
+    for kind in (Way.LINE, Way.JOINT):
+        refused = follow(robot, points, LEVEL, TOOL_HEAD, Plan(kind, speed=1e-4))
+        assert isinstance(refused, Refused)
+        assert "s: over 200000 samples" in refused.message
+        assert refused.help == "raise --speed, or --dt"

@@ -127,11 +127,13 @@ def test_splines_pass_their_points_smoothly(count: int, seed: int) -> None:
         assert third[-1] == pytest.approx(third[-2], abs=1e-6 * (1.0 + np.abs(third).max()))
 
 
-@pytest.mark.parametrize("degree", [1, 2, 3])
-def test_splines_give_polynomials_back(degree: int) -> None:
-    knots = np.array([0.0, 0.3, 1.0, 1.1, 2.0, 3.5])
+@pytest.mark.parametrize(
+    ("count", "degree"), [(2, 1), (3, 1), (3, 2), (4, 3), (5, 3), (6, 1), (6, 2), (6, 3)]
+)
+def test_splines_give_polynomials_back(count: int, degree: int) -> None:
+    knots = np.array([0.1, 0.3, 1.0, 1.1, 2.0, 3.5])[:count]
     made = spline(knots, (knots**degree)[:, None])
-    x = np.linspace(0.0, 3.5, 50)
+    x = np.linspace(0.1, knots[-1], 50)
     assert made.at(x)[:, 0] == pytest.approx(x**degree, abs=1e-12)
 
 
@@ -173,6 +175,14 @@ def test_lines_outside_stay_and_lines_through_the_middle_are_refused() -> None:
     outside = line(np.array([0.6, 0.3, 0.0]), np.array([-0.6, 0.3, 0.0]))
     assert nearest(outside) == pytest.approx(0.3)
     assert around(outside, 0.2) == (outside,)
+    point = line(np.array([0.6, 0.3, 0.2]), np.array([0.6, 0.3, 0.2]))
+    assert nearest(point) == pytest.approx(0.7)
+    knots = np.array([0.0, 1.0, 2.0])
+    row = np.array([[0.6, 0.3, 0.0], [0.0, 0.3, 0.0], [-0.6, 0.3, 0.0]])
+    curve = SplineCurve(spline(knots, row), spline(knots, np.tile(DOWN, (3, 1))))
+    assert nearest(curve) == pytest.approx(0.3, abs=1e-6)
+    arc = BaseArc(np.array([0.0, 0.4, 0.0]), np.array([0.4, 0.0, 0.0]), DOWN, DOWN, 0.2 * np.pi)
+    assert nearest(arc) == pytest.approx(0.4)
     with pytest.raises(ThroughBaseError):
         around(line(np.array([0.6, 0.0, 0.0]), np.array([-0.6, 0.0, 0.0])), 0.2)
     with pytest.raises(ThroughBaseError):

@@ -25,6 +25,20 @@ def test_confdata_names_the_joints(robot: Robot) -> None:
 
 
 @pytest.mark.parametrize(
+    ("name", "lacks"), [("irb120", None), ("irb460", 1), ("irb910sc", 2), ("rvm1", None)]
+)
+def test_one_vector_has_the_confdata_of_its_row(name: str, lacks: int | None) -> None:
+    """The digit of an axis 4 or 6 that an arm lacks is 0."""
+    kinematics = load_robot(name).kinematics
+    joints = np.random.default_rng(2).uniform(-2.5, 2.5, (50, kinematics.joint_count))
+    rows = confdata_of(kinematics, joints)
+    assert [confdata_of(kinematics, row).tolist() for row in joints] == rows.tolist()
+    assert [digit for digit in range(3) if not rows[:, digit].any()] == (
+        [] if lacks is None else [lacks]
+    )
+
+
+@pytest.mark.parametrize(
     ("degrees", "quarter"),
     [(0, 0), (-0.0, 0), (45, 0), (90, 1), (89.999, 0), (-1e-9, 0), (-45, -1), (-90, -1),
      (-90.001, -2), (180, 2), (-180, -2), (359, 3), (400, 4), (-400, -5)],

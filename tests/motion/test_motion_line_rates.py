@@ -35,7 +35,7 @@ from rapidsim.motion.path.path import Path
 from rapidsim.motion.path.path_derivatives import PathRates
 from rapidsim.motion.robot.robot import load_robot
 from rapidsim.motion.timing import smoothed_speed_limits as held_speeds_module
-from rapidsim.motion.timing import smoothed_speed_loops, stages, two_pass_loops
+from rapidsim.motion.timing import smoothed_speed_loops, stages, two_pass, two_pass_loops
 from rapidsim.motion.timing.constraints import acceleration_rows
 from rapidsim.motion.timing.discretisation import GridPoints, cells_of
 from rapidsim.motion.timing.planning import plan
@@ -206,6 +206,29 @@ def test_loops_over_a_motion_do_what_columns_do(program: Programmer) -> None:
     columns, loops = both
     assert loops[0] == pytest.approx(columns[0], rel=1e-12, abs=1e-12)
     assert loops[1] == pytest.approx(columns[1], rel=1e-12)
+
+
+def test_both_passes_in_loops_are_those_in_columns(monkeypatch: pytest.MonkeyPatch) -> None:
+    random = np.random.default_rng(3)
+    for first in (0.0, 0.2, 50.0):
+        count, rows = 60, 4
+        limits = stages.Stages(
+            cell=np.arange(count),
+            begin=np.zeros(count),
+            end=np.ones(count),
+            nodes=np.concatenate([[0.0], np.cumsum(random.uniform(0.001, 0.2, count))]),
+            slack=random.uniform(0.1, 2.0, (count, rows)),
+            tilt=random.uniform(-2.0, 5.0, (count, rows)),
+            widest=np.full(count, 5.0),
+        )
+        caps = np.append(random.choice([0.05, 0.5, 5.0], count), 0.0)
+        columns, fastest = two_pass._both_passes(limits, caps, first)
+        with monkeypatch.context() as patch:
+            patch.setattr(two_pass, "jit_function", lambda module, name, _: vars(module)[name])
+            loops, of_loops = two_pass._both_passes(limits, caps, first)
+        assert loops == pytest.approx(columns, rel=1e-12, abs=1e-14)
+        assert of_loops == pytest.approx(fastest, rel=1e-12)
+        assert 0.0 < fastest <= caps[0]
 
 
 def long_program() -> Programmer:

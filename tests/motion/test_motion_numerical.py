@@ -8,8 +8,14 @@ import pytest
 from rapidsim.frames.transform import Transform
 from rapidsim.motion.configurations.pose_solutions import solve_pose
 from rapidsim.motion.configurations.reachability import limit_excess, unreachable_reason
-from rapidsim.motion.configurations.scipy_solvers import METHODS, search
+from rapidsim.motion.configurations.scipy_solvers import (
+    METHODS,
+    METRES_PER_RADIAN,
+    _Target,
+    search,
+)
 from rapidsim.motion.kinematics.numerical.offset_wrist import near_arm
+from rapidsim.motion.kinematics.numerical.revolute_chain import AxisRowGeometry
 from rapidsim.motion.kinematics.numerical.solver import Numerical
 from rapidsim.motion.kinematics.serial_chain import AxesAtZero, SerialChain
 from rapidsim.motion.kinematics.unwrapping import principal
@@ -167,7 +173,39 @@ def test_scipy_agrees_with_the_closed_form(name: str, method: str) -> None:
         assert apart.min() < 1e-3
 
 
+def test_the_derivative_of_a_residual_is_exact() -> None:
+    """A small turn counts as an error of as many metres as its angle has radians."""
+    robot = load_robot("irb120")
+    joints, pose = poses(robot, 1)
+    target = _Target(robot.kinematics, pose[0])
+    beside = joints[0] + np.array([0.1, -0.05, 0.02, 0.1, 0.1, -0.1])
+    step = 1e-6
+    slopes = [
+        (target.residual(beside + step * unit) - target.residual(beside - step * unit))
+        / (2.0 * step)
+        for unit in np.eye(6)
+    ]
+    assert target.derivative(beside) == pytest.approx(np.stack(slopes, axis=1), abs=1e-8)
+    assert np.abs(target.residual(joints[0])).max() < 1e-12
+    turned = joints[0] + np.array([0.0, 0.0, 0.0, 0.0, 0.0, 1e-4])
+    assert np.linalg.norm(target.residual(turned)[3:]) == pytest.approx(1e-4 * METRES_PER_RADIAN)
+
+
 def test_scipy_gives_up_with_numbers() -> None:
     found = search(load_robot("irb120"), Transform(np.eye(3), np.array([2.0, 0.0, 0.5])), "lm")
     assert not found.solved
     assert found.distance > 0.5
+
+
+def test_directions_of_axes_may_have_any_length() -> None:
+    points = ((0.0, 0.0, 0.1), (0.2, 0.0, 0.3), (0.4, 0.1, 0.3))
+    unit = ((0.0, 0.0, 1.0), (0.0, -1.0, 0.0), (0.6, 0.0, 0.8))
+    longer = ((0.0, 0.0, 2.0), (0.0, -0.5, 0.0), (3.0, 0.0, 4.0))
+    flange = (0.5, 0.0, 0.3), (0.0, 2.0, 0.0, 0.0)
+    one, other = (AxisRowGeometry(points, each, *flange).axes for each in (unit, longer))
+    assert other.directions == pytest.approx(np.array(unit))
+    assert other.directions == pytest.approx(one.directions)
+    assert other.base_from_flange.rotation == pytest.approx(np.diag([1.0, -1.0, -1.0]))
+    links = other.base_from_link
+    assert links.translation == pytest.approx(np.array([*points[:2], (0.5, 0.0, 0.3)]))
+    assert links.rotation == pytest.approx(np.tile(np.eye(3), (3, 1, 1)))

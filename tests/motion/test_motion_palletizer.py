@@ -130,3 +130,14 @@ def test_joints_stand_where_rapid_keeps_them(
     expected = [1, 2, 3, 4, 5, 6, 7] if count == 7 else [10, 20, 30, 40, 50][:count]
     assert found == pytest.approx(expected)
     assert targets.rob_joint(np.radians(found), arm) == pytest.approx(axes)
+
+
+def test_singular_is_the_stretched_arm_and_the_flange_on_axis_1() -> None:
+    stretched = ARM.singularities(np.radians([10.0, 20.0, 110.0, 0.0]))
+    assert [one.name for one in stretched] == ["elbow", "shoulder"]
+    assert stretched[0].distance == pytest.approx(0.0, abs=1e-12)
+    assert ARM.singularities(np.radians([10.0, 20.0, 80.0, 0.0]))[0].distance == pytest.approx(0.5)
+    joints = np.radians([10.0, 20.0, 30.0, 40.0])
+    flange = ARM.forward(joints).translation
+    aside = ARM.singularities(joints)[1].distance
+    assert aside == pytest.approx(np.hypot(flange[0], flange[1]) / G.reach)

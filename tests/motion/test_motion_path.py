@@ -384,3 +384,12 @@ def test_derivatives_of_the_tcp_are_those_of_its_positions() -> None:
     velocity, acceleration = path.tcp_derivatives(s, path.layout.piece_at(s))
     assert np.abs(velocity - (after - before) / (2.0 * h)).max() < 1e-6
     assert np.abs(acceleration - (after - 2.0 * here + before) / h**2).max() < 1e-3
+
+
+def test_a_wide_corner_between_large_turns_is_far_from_its_waypoint() -> None:
+    """By less than a whole turn, so that is no wrong turn."""
+    z = Zone(0.05, 0.075, math.radians(170.0))
+    program = Programmer().line((0.1, 0, 0), (2.4, 0, 0), z).line((0, 0.1, 0), (-2.4, 0, 0))
+    path = path_of(program)
+    middle = path.evaluate(path.segment_starts[1:]).joints[0]
+    assert np.abs(middle - program.segments[0].end.joints).max() > 0.5

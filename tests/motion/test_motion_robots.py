@@ -9,6 +9,7 @@ from rapidsim.frames.transform import Transform
 from rapidsim.motion.configurations.reachability import Unreachable, unreachable_reason
 from rapidsim.motion.kinematics.closed_form.opw_geometry import OpwGeometry
 from rapidsim.motion.robot.catalogue import find_entry, read_entry
+from rapidsim.motion.robot.external_axes import Axes, ExternalAxis
 from rapidsim.motion.robot.robot import Robot, RobotError, load_robot, robot_names
 
 MEGABYTE = 1_000_000
@@ -103,3 +104,19 @@ def test_within_limits_there_is_no_reason() -> None:
     robot = load_robot("irb1600")
     for joints in np.random.default_rng(8).uniform(robot.lower, robot.upper, (50, 6)):
         assert unreachable_reason(robot, robot.forward(joints)) is None
+
+
+def test_axes_have_their_names_units_and_tolerances() -> None:
+    track = ExternalAxis("TRACK", "b", True, -1.0, 3.0, 1.0, 2.0)
+    table = ExternalAxis("STN1", "a", False, -1.0, 1.0, 1.0, 2.0)
+    axes = Axes(np.zeros(5), np.ones(5), (table, track), (False, False, True))
+    assert [axes.name(k) for k in (0, 2, 3, 4)] == [
+        *("axis 1", "axis 3", "axis eax_a of STN1", "axis eax_b of TRACK")
+    ]
+    assert [axes.measure(k) for k in range(5)] == ["deg", "deg", "mm", "deg", "mm"]
+    values = [axes.text(k, value) for k, value in ((0, np.pi), (2, np.pi), (3, -np.pi), (4, 0.5))]
+    assert values == ["180.0 deg", "180.0 mm", "-180.0 deg", "500.0 mm"]
+    rounded = np.radians(0.05)
+    assert axes.tolerances == pytest.approx([rounded, rounded, rounded, rounded, 5e-5])
+    wider = axes.path_tolerances > axes.tolerances
+    assert wider.tolist() == [True, True, False, False, False]

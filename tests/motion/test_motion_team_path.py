@@ -127,3 +127,18 @@ def test_places_never_go_back_and_reach_both_ends(a: Programmer, b: Programmer, 
         rate = course.rate(s, team.layout.piece_at(s))
         assert (rate >= -1e-9).all()
         assert (rate <= (1.0 + 1e-9) * own.programmed.tcp.max() / PACE).all()
+
+
+def test_each_tcp_moves_as_its_own_path_says() -> None:
+    team = together(lines(0.2, 0.1, 0.15), lines(0.1, 0.2, 0.05))
+    s: Array = team.length * (np.arange(40, dtype=np.float64) + 0.5) / 40.0
+    piece, step = team.layout.piece_at(s), 1e-5 * team.length
+    for part in team.robots:
+        first, second = part.tcp_derivatives(s, piece)
+        before, now, after = (
+            part.evaluate(s + sign * step).base_from_tcp.translation for sign in (-1.0, 0.0, 1.0)
+        )
+        inner = np.abs(np.subtract.outer(s, team.layout.bounds)).min(axis=1) > 2.0 * step
+        assert first[inner] == pytest.approx(((after - before) / (2.0 * step))[inner], abs=1e-5)
+        bend = (after - 2.0 * now + before) / step**2
+        assert second[inner] == pytest.approx(bend[inner], abs=0.02 * max(1.0, np.abs(bend).max()))

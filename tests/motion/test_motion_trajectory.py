@@ -23,12 +23,13 @@ from motion_programs import (
 
 from rapidsim.frames.transform import Array
 from rapidsim.motion.geometry.segments import Speed, Waypoint
-from rapidsim.motion.model import BlendShape, MotionModel
+from rapidsim.motion.model import Averages, BlendShape, MotionModel
 from rapidsim.motion.path.curve_following import PathFault
 from rapidsim.motion.path.path import Path
 from rapidsim.motion.timing.planning import plan
 from rapidsim.motion.timing.time_scaling import TimeScaling
 from rapidsim.motion.trajectory.command import Index, MotionCommand, Piece
+from rapidsim.motion.trajectory.guided_section import GuidedSection
 from rapidsim.motion.trajectory.trajectory import Trajectory
 
 FILTER = 0.08
@@ -68,9 +69,14 @@ def mean_command(trajectory: Trajectory, time: float) -> float:
 
 
 def test_without_pieces_the_arm_stands_at_its_start() -> None:
-    trajectory = Trajectory(START, FILTER)
+    start = replace(START, external=np.array([0.3, 0.4, 0.5]))
+    trajectory = Trajectory(start, FILTER)
     samples = trajectory.at(np.array([0.0, 1.0]))
     assert samples.joints == pytest.approx(np.tile(START.joints, (2, 1)))
+    assert samples.external == pytest.approx(np.tile([0.3, 0.4, 0.5], (2, 1)))
+    pose = samples.base_from_tcp
+    assert pose.rotation == pytest.approx(np.tile(START.base_from_tcp.rotation, (2, 1, 1)))
+    assert pose.translation == pytest.approx(np.tile(START.base_from_tcp.translation, (2, 1)))
     assert samples.tcp_speed == pytest.approx([0.0, 0.0])
     assert samples.move.tolist() == [0, 0]
     assert trajectory.duration == trajectory.length == trajectory.travelled_m == 0.0
@@ -273,3 +279,105 @@ def test_pieces_come_in_the_order_of_time() -> None:
         trajectory.append(whole(0.0))
     with pytest.raises(ValueError, match="runs backwards"):
         trajectory.append(Piece(10.0, PATH, TIMING, 0.2, 0.1))
+
+
+def test_travel_between_marks_is_the_way_of_the_tcp() -> None:
+    trajectory = run(0.3, 0.2)
+    ends = trajectory.mark(0.0), trajectory.mark(trajectory.duration)
+    assert trajectory.travelled_between(*ends) == pytest.approx(trajectory.travelled_m)
+    instants = [0.0, 0.45, 0.46, 0.9, 1.6, trajectory.duration]
+    marks = [trajectory.mark(at) for at in instants]
+    for first, last in pairwise(marks):
+        times = np.linspace(first.time_s, last.time_s, 20_001)
+        tcp = trajectory.at(times).base_from_tcp.translation
+        way = float(np.linalg.norm(np.diff(tcp, axis=0), axis=1).sum())
+        assert trajectory.travelled_between(first, last) == pytest.approx(way, abs=1e-6)
+    assert trajectory.travelled_between(marks[3], marks[2]) == 0.0
+    assert Trajectory(START).mark(2.0) == (2.0, 0.0)
+
+
+def test_directions_are_those_of_the_motion() -> None:
+    trajectory = run(0.1)
+    times = np.linspace(0.15, trajectory.duration - 0.05, 40)
+    step = 1e-6
+    tcp = [trajectory.at(times + sign * step).base_from_tcp.translation for sign in (-1.0, 1.0)]
+    way = tcp[1] - tcp[0]
+    unit = way / np.linalg.norm(way, axis=1, keepdims=True)
+    assert trajectory.directions(times) == pytest.approx(unit, abs=1e-4)
+    # At rest: that of the path which begins, or has ended there.
+    rest = trajectory.directions(np.array([0.0, trajectory.duration + 1.0]))
+    assert rest == pytest.approx(np.array([[1.0, 0.0, 0.0], [0.0, -1.0, 0.0]]), abs=1e-9)
+    assert not Trajectory(START).directions(times).any()
+    turn = path_of(Programmer().line((0.0, 0.0, 0.0), (0.0, 0.4, 0.0)))
+    only = Trajectory(START)
+    only.append(whole(0.0, turn, plan(turn, LIMITS)))
+    assert not only.directions(np.array([0.1, 0.2])).any()
+
+
+@pytest.mark.parametrize("averages", [1, 2])
+def test_smoothed_by_axes_the_arm_is_off_its_path_by_what_lies_between(averages: Averages) -> None:
+    by_axes, on_path = (
+        Trajectory(START, FILTER, smoothing, averages) for smoothing in ("axes", "path")
+    )
+    for one in (by_axes, on_path):
+        one.append(whole(0.0))
+        assert not one.off_path(Trajectory(START).at(np.zeros(1))).any() or one is by_axes
+    times = np.linspace(0.0, by_axes.duration, 60)
+    samples, other = by_axes.at(times), on_path.at(times)
+    between = samples.base_from_tcp.translation - other.base_from_tcp.translation
+    off = by_axes.off_path(samples)
+    assert off == pytest.approx(np.linalg.norm(between, axis=1), abs=1e-9)
+    assert off.max() > 1e-4
+    assert not on_path.off_path(other).any()
+    assert not Trajectory(START, FILTER, "axes").off_path(other).any()
+    quick = by_axes.postures(times)
+    assert quick.joints == pytest.approx(samples.joints, abs=1e-6)
+    assert np.array_equal(quick.move, samples.move)
+    assert quick.external.shape == samples.external.shape == (60, 0)
+
+
+def guided(start_s: float, joints: Array, cycles: int) -> GuidedSection:
+    """Axis 1 is guided at 0.2 rad/s from rest, in cycles of 4 ms."""
+    section = GuidedSection(
+        start_s, 0.004, ROBOT.kinematics.forward, TOOL.inverse(), np.zeros(0), joints
+    )
+    speed = np.zeros(6)
+    for cycle in range(1, cycles + 1):
+        faster = np.array([min(0.2, 0.02 * cycle), 0, 0, 0, 0, 0])
+        joints = joints + 0.5 * 0.004 * (speed + faster)
+        speed = faster
+        section.append(joints, speed)
+    return section
+
+
+def test_a_guided_section_holds_until_the_next_move() -> None:
+    trajectory = run(0.0, filter_time=0.0)
+    end_s = trajectory.duration
+    section = guided(end_s + 0.5, PROGRAM.joints, 100)
+    trajectory.guide(section)
+    assert trajectory.guided == (section,)
+    assert trajectory.duration == pytest.approx(end_s + 0.9)
+    times = end_s + np.array([0.4, 0.7, 0.9, 5.0])
+    samples = trajectory.at(times)
+    turned = samples.joints[:, 0] - PROGRAM.joints[0]
+    assert turned == pytest.approx([0.0, 0.036, 0.076, 0.076], abs=1e-9)
+    assert samples.joints[:, 1:] == pytest.approx(np.tile(PROGRAM.joints[1:], (4, 1)), abs=1e-9)
+    tcp = ROBOT.kinematics.forward(samples.joints) @ TOOL
+    assert samples.base_from_tcp.translation == pytest.approx(tcp.translation, abs=1e-9)
+    radius = float(np.hypot(*tcp.translation[1, :2]))
+    assert samples.tcp_speed == pytest.approx([0.0, 0.2 * radius, 0.1 * radius, 0.0], abs=1e-6)
+    first, last = trajectory.mark(end_s + 0.1), trajectory.mark(end_s + 0.9)
+    assert trajectory.travelled_between(first, last) == pytest.approx(0.076 * radius, rel=1e-4)
+    # The next move begins where it ends, and what begins after it counts.
+    program = Programmer(joints=section.end).line((0.05, 0, 0))
+    path = path_of(program)
+    piece = whole(end_s + 1.0, path, plan(path, LIMITS))
+    longer = trajectory.extended(piece)
+    assert len(trajectory.pieces) == 1
+    assert longer.at(np.array([end_s + 9.0])).joints[0] == pytest.approx(program.joints, abs=1e-9)
+    assert longer.at(times[:3]).joints == pytest.approx(samples.joints[:3], abs=1e-9)
+    longer.cut(end_s + 0.95)
+    assert longer.at(times).joints == pytest.approx(samples.joints, abs=1e-9)
+    trajectory.withdraw_guidance()
+    assert trajectory.at(times).joints == pytest.approx(np.tile(PROGRAM.joints, (4, 1)), abs=1e-9)
+    assert trajectory.duration == pytest.approx(end_s)

@@ -17,6 +17,7 @@ from rapidsim.motion.model import Keeper, MotionModel
 from rapidsim.motion.path.curve_following import PathFault
 from rapidsim.motion.timing.planning import plan
 from rapidsim.motion.trajectory.command import Piece
+from rapidsim.motion.trajectory.filter_windows import Windows
 from rapidsim.motion.trajectory.trajectory import Trajectory
 
 MODEL = MotionModel(smoothing="path", filter_time=0.08, filter_averages=1)
@@ -172,3 +173,22 @@ def test_what_is_taken_back_takes_its_ramps_along() -> None:
     trajectory.cut(begins - 0.1)
     assert not trajectory.has_ramps
     assert trajectory.duration == pytest.approx(begins - 0.1 + FILTER)
+
+
+def test_windows_forget_the_past_and_are_as_wide_as_before() -> None:
+    forgets, keeps = Windows(0.08), Windows(0.08)
+    for one in (forgets, keeps):
+        for begin_s in (1.0, 5.0, 9.0, 13.0):
+            one.begin(begin_s, 0.08, elsewhere=False)
+            one.widen(begin_s + 0.2, 0.3 + 0.01 * begin_s)
+    forgets.forget(9.5)
+    times = np.linspace(9.5, 20.0, 200)
+    for now, before in zip(forgets.at(times), keeps.at(times), strict=True):
+        assert np.array_equal(now, before)
+    assert [forgets.lag(at) for at in (9.6, 13.5, 19.0)] == [
+        keeps.lag(at) for at in (9.6, 13.5, 19.0)
+    ]
+    assert len(forgets._steps) < len(keeps._steps)
+    assert forgets.widens
+    forgets.forget(0.0)
+    assert np.array_equal(forgets.at(times)[0], keeps.at(times)[0])

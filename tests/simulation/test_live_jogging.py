@@ -226,3 +226,23 @@ def test_a_stop_halts_the_second_of_two_steps_and_keeps_the_first() -> None:
     live.after(3.0)
     assert np.isclose(joints(task)[0], 2.0)
     assert 0.3 < joints(task)[1] < 1.0
+
+
+def test_a_move_is_shown_while_the_robot_makes_it_and_not_while_it_is_jogged() -> None:
+    target = "[[60,0,0,0,30,0],[9E9,9E9,9E9,9E9,9E9,9E9]]"
+    live = Live(module(f"MoveAbsJ {target}, v200, fine, tool0;\nWaitTime 1000;"))
+    task = live.controller.task("T_ROB1")
+    assert position_snapshot(task).move is None
+    live.controller.start()
+    live.after(1.0)
+    move = position_snapshot(task).move
+    assert move is not None
+    assert move.span.line == 4
+    live.after(20.0)
+    assert position_snapshot(task).move is None
+    live.controller.panel.set_mode(OperatingMode.REDUCED)
+    live.controller.panel.set_motors(Motors.ON)
+    live.controller.reset_pointers()
+    jog(live.controller, task, JogFrame.JOINTS, 1, 10.0)
+    live.after(0.2)
+    assert position_snapshot(task).move is None

@@ -168,3 +168,18 @@ def test_motors_on_and_emergency_stop_are_reached_from_every_state() -> None:
             last = set(reached)
             reached |= {after for (before, _), after in NEXT.items() if before in reached}
         assert ControllerState.MOTORS_ON in reached
+
+
+def test_the_speed_ratio_is_from_0_to_100_in_automatic_mode() -> None:
+    panel = Live(TURNS).controller.panel
+    for percent, planned in ((0, 1.0), (1, 1.0), (50, 50.0), (100, 100.0)):
+        panel.set_speed_ratio(percent)
+        assert (panel.speed_ratio, panel.refresh_percent) == (percent, planned)
+    for percent in (-1, 101):
+        with pytest.raises(RequestRefused, match=f"a speed ratio of {percent} %; 0..100 are"):
+            panel.set_speed_ratio(percent)
+    panel.set_mode(OperatingMode.REDUCED)
+    before = panel.speed_ratio
+    with pytest.raises(RequestRefused, match="is set in automatic mode only"):
+        panel.set_speed_ratio(50)
+    assert panel.speed_ratio == before

@@ -10,6 +10,9 @@ from pathlib import Path
 import pytest
 
 import rapidsim
+from rapidsim.diagnostics import Source, Span
+from rapidsim.language.moves import Place
+from rapidsim.simulation.results import gripper_protocol
 
 CELL = Path(__file__).parents[2] / "programs" / "cell"
 GRIPPER = '\n[gripper]\nclose = "doGrip = 1"\nclosed = "diGripped = 1"\nat = "stand"\n'
@@ -87,3 +90,37 @@ def test_each_mistake_is_found_at_its_statement(name: str, command: str, tmp_pat
     diagnostics = (cell.run() if command == "run" else cell.check()).diagnostics
     found = [(one.code, one.line) for one in diagnostics if one.code.startswith("I81")]
     assert tuple(sorted(found)) == mistake.found
+
+
+ROUTINES = """PROC a()
+  grip;
+  after_it;
+ENDPROC
+PROC b()
+  between;
+ENDPROC
+PROC c()
+  before_it;
+  move;
+ENDPROC
+"""
+
+
+@pytest.mark.parametrize(
+    ("first", "last", "texts"),
+    [
+        ("grip", "after_it", ["grip;\n  "]),
+        ("grip", "move", ["grip;\n  after_it;\n", "\nPROC c()\n  before_it;\n  "]),
+        ("between", "move", ["between;\n", "\nPROC c()\n  before_it;\n  "]),
+        ("grip", "between", ["grip;\n  after_it;\n", "\nPROC b()\n  "]),
+        ("after_it", "grip", ["after_it;\n", "PROC a()\n  "]),
+    ],
+)
+def test_what_stands_between_two_statements(first: str, last: str, texts: list[str]) -> None:
+    source = Source("m.mod", ROUTINES)
+    routines = {"grip": "a", "after_it": "a", "between": "b", "move": "c"}
+    begin, end = (
+        Place(Span(source, at, at + len(word)), routines[word])
+        for word, at in ((one, ROUTINES.index(f"  {one};") + 2) for one in (first, last))
+    )
+    assert list(gripper_protocol._texts_between(begin, end)) == texts

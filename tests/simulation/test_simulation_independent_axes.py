@@ -30,6 +30,10 @@ def test_it_reaches_its_target_steadily_from_any_motion(
         there = axis.position(now_s), axis.speed(now_s)
         assert abs(there[0] - seen[0]) <= (max(speed, first) + 1.0) * STEP_S
         assert abs(there[1] - seen[1]) <= ACCELERATION * STEP_S + 1e-6
+        # Within a step its acceleration may change its sign once, to one side at most.
+        mean = 0.5 * (there[1] + seen[1])
+        aside = 0.25 * ACCELERATION * STEP_S**2
+        assert there[0] - seen[0] == pytest.approx(mean * STEP_S, abs=aside + 1e-6)
         seen = there
     assert seen == pytest.approx((target, 0.0), abs=1e-6)
 

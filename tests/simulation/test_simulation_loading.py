@@ -13,7 +13,7 @@ from rapidsim.analysis.rules.table import detectors_of
 from rapidsim.diagnostics import Severity
 from rapidsim.files import SourceFile
 from rapidsim.jobs.checking.checked_program import load
-from rapidsim.language.error_numbers import ERR_FILEACC, ERR_MOD_NOTLOADED
+from rapidsim.language.error_numbers import ERR_FILEACC, ERR_MOD_NOTLOADED, ERR_UNLOAD
 
 MAIN = r"""MODULE cell
   VAR num count:=5;
@@ -382,3 +382,20 @@ def test_what_a_loaded_module_may_write_is_not_known_to_check() -> None:
     assert checked(MOVE.replace("{loading}", ""), run=False).codes == [("K601", 6)]
     loading = checked(MOVE.replace("{loading}", 'Load "part.mod";'), run=False)
     assert (loading.codes, loading.counts) == ([], (0, 0, 1))
+
+
+@pytest.mark.parametrize(("calls", "codes"), [((), []), (('%"draw"% 3;',), ["R104"])])
+def test_unloading_says_where_a_controller_might_see_a_change(
+    calls: tuple[str, ...], codes: list[str], tmp_path: Path
+) -> None:
+    unload = r'UnLoad \ErrIfChanged,"part.mod";'
+    it = ran_with(tmp_path, 'Load "part.mod";', *calls, unload, part=PART)
+    assert [code for code, _ in it.findings] == codes
+    assert it.end == "ended"
+
+
+def test_a_file_of_several_modules_is_not_saved(tmp_path: Path) -> None:
+    two = PART + "MODULE other\nENDMODULE\n"
+    it = ran_with(tmp_path, 'Load "part.mod";', r'UnLoad \Save,"part.mod";', part=two)
+    assert it.texts == [f"error {ERR_UNLOAD:.0f}"]
+    assert (tmp_path / "part.mod").read_text() == two

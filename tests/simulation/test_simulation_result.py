@@ -1,5 +1,6 @@
 """What a run leaves behind, of one robot and of several alike."""
 
+from dataclasses import replace
 from functools import cache
 
 import pytest
@@ -68,3 +69,19 @@ def test_a_run_of_one_robot_still_answers_for_it() -> None:
     assert (run.lines, run.failed_moves) == (only.lines, only.failed_moves)
     assert run.world_from_base is only.world_from_base
     assert run.sample(0.1).joints.tolist() == only.sample(0.1).joints.tolist()
+
+
+@pytest.mark.parametrize(
+    ("named", "program", "title"),
+    [
+        ("cell", ("a/x.mod",), "cell"),
+        ("", ("a/x.mod",), "x.mod"),
+        ("", ("a/x.mod", "b.mod", "c.mod"), "x.mod and 2 more"),
+        ("cell", (), "cell"),
+        ("", (), ""),
+    ],
+)
+def test_a_run_is_called_as_its_user_called_it_or_by_its_files(
+    named: str, program: tuple[str, ...], title: str
+) -> None:
+    assert replace(three_tasks().run, named=named, program=program).title == title

@@ -88,7 +88,8 @@ def position_snapshot(task: LiveTask) -> PositionSnapshot:
     resolver, motion = task.run.controller.coordination.resolver, task.run.controller.motion
     tool, wobj = motion.active_tool(), motion.active_wobj()
     moves = task.unit.moves
-    moves_on = now_s < path.duration and task.unit.member.guided is None
+    # The robot may be guided or jogged later; that is no move.
+    moves_on = now_s < path.seen_s(path.command_end)
     clock = task.run.controller.clock
     return PositionSnapshot(
         resolver.joint_target(arm, external),

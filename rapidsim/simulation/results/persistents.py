@@ -18,7 +18,7 @@ from rapidsim.interpreter.linking.saved_text import declared_value
 from rapidsim.library.text import source_text
 from rapidsim.values import value_class
 
-_LITERAL = r'"(?:[^"]|"")*"|[+-]?\s*(?:\d+\.?\d*|\.\d+)(?:E[+-]?\d+)?|TRUE\b|FALSE\b'
+_LITERAL = r'"(?:[^"]|"")*"|(?:[+-]\s*)?(?:\d+\.?\d*|\.\d+)(?:E[+-]?\d+)?|TRUE\b|FALSE\b'
 _BETWEEN = r"[\[\](),\s]+|![^\r\n]*"
 _LEAF = re.compile(f"(?P<leaf>{_LITERAL})|(?:{_BETWEEN})", re.IGNORECASE)
 _VALUE = re.compile(rf"{_LITERAL}|[+-]?INF\b|NAN\b", re.IGNORECASE)

@@ -2,6 +2,7 @@
 MODULE turntable
   CONST robtarget p1:=[[700,0,600],[0,0,1,0],[0,0,0,0],[0,9E9,9E9,9E9,9E9,9E9]];
   VAR clock watch;
+  VAR jointtarget here;
 
   PROC main()
     MoveJ p1,v500,fine,tool0;
@@ -18,6 +19,10 @@ MODULE turntable
     TPWrite "there "\Bool:=IndInpos(TABLE,1);             ! -> there FALSE
     IndReset TABLE,1\Old;
     TPWrite "reset";             ! -> reset
+    ! Targets count for it again.
+    MoveL Offs(p1,0,100,50),v500,fine,tool0;
+    here:=CJointT();
+    TPWrite "table at "\Num:=Round(here.extax.eax_a);             ! -> table at 0
     ! The shorter way of 270 degrees is 90 back.
     ClkReset watch;
     ClkStart watch;
