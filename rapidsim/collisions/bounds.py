@@ -5,8 +5,6 @@ Each body has a box, along axes of its own, and a sphere around the centre of th
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-
 import numpy as np
 
 from rapidsim.collisions.convex import Index
@@ -27,6 +25,18 @@ class Bounds:
         """
         self.centre, self.half, self.axes = centre, half, axes
         self.bound: Array = np.minimum(bound, np.linalg.norm(half, axis=1))
+
+    @classmethod
+    def unknown(cls, count: int, *, turned: bool) -> Bounds:
+        """Return bounds of bodies that `put` replaces; `turned` if boxes may have own axes."""
+        axes = np.tile(np.eye(3), (count, 1, 1)) if turned else None
+        return cls(np.zeros((count, 3)), np.zeros((count, 3)), np.zeros(count), axes)
+
+    def put(self, at: Index, known: Bounds) -> None:
+        """Replace the bounds of bodies (k,) by known ones."""
+        self.centre[at], self.half[at], self.bound[at] = known.centre, known.half, known.bound
+        if self.axes is not None and known.axes is not None:
+            self.axes[at] = known.axes
 
     def rows(self, at: Index) -> Bounds:
         """Return the bounds of some bodies."""
@@ -178,20 +188,3 @@ def _surface(half: Array) -> Array:
     """Return numbers (k,) proportional to the surfaces of boxes with half edges (k, 3)."""
     surface: Array = (half * np.roll(half, 1, axis=1)).sum(axis=1)
     return surface
-
-
-def joined(levels: Sequence[Bounds]) -> Bounds:
-    """Return bounds one after the other."""
-    axes = None
-    if any(one.axes is not None for one in levels):
-        own = [
-            np.broadcast_to(np.eye(3), (len(one.bound), 3, 3)) if one.axes is None else one.axes
-            for one in levels
-        ]
-        axes = np.concatenate(own)
-    return Bounds(
-        np.concatenate([one.centre for one in levels]),
-        np.concatenate([one.half for one in levels]),
-        np.concatenate([one.bound for one in levels]),
-        axes,
-    )
