@@ -270,7 +270,7 @@ class _Search:
             return some
         owner, *moves = self._moves(some)
         wanted = np.maximum(*(self._nearest[owner, move] for move in moves))
-        wanted[self._touch_only[some.pair]] = 0.0
+        wanted[(wanted < 0.0) | self._touch_only[some.pair]] = 0.0
         # The bound for a gap that is not measured must not leave the interval undecided.
         way = self._block.approach(some)
         enough = wanted + way * start + TOUCH_M

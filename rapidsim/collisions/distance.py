@@ -197,6 +197,7 @@ def _nearest_of_simplices(corners: Array, other_rows: Index) -> Array:
     if not most:
         found[:, 0] = 1.0
         return found
+    most = max(2, most)  # The product of one edge with itself would be rounded differently.
     newest = corners[:, 0]
     edges = corners[:, 1 : 1 + most] - newest[:, None]
     there = np.arange(most) < other_rows[:, None]
