@@ -19,7 +19,7 @@ from rapidsim.collisions.bounds_tree import (
 from rapidsim.collisions.convex import NO_TRIANGLES, ConvexParts, Index, Mask
 from rapidsim.collisions.distance import distances
 from rapidsim.collisions.nearest_parts import CLOSE, CLOSE_M, NearestParts
-from rapidsim.collisions.outer_hull import outer_hull
+from rapidsim.collisions.outer_hull import HullStore, outer_hull
 from rapidsim.collisions.overlap import depths, most_overlaps, shortest
 from rapidsim.collisions.shape import Shape
 from rapidsim.frames.transform import Array, Transform
@@ -47,8 +47,13 @@ class Gaps:
 class Bodies:
     """Bodies, queried in pairs."""
 
-    def __init__(self, shapes: Sequence[Shape]) -> None:
-        """Build the trees of all bodies; those of one shape share one."""
+    def __init__(self, shapes: Sequence[Shape], store: HullStore | None = None) -> None:
+        """Build the trees of all bodies; those of one shape share one.
+
+        Args:
+            shapes: Their shapes.
+            store: See `outer_hull`.
+        """
         distinct = {id(shape): shape for shape in shapes}
         number = {key: row for row, key in enumerate(distinct)}
         parts = [part for shape in distinct.values() for part in shape.parts]
@@ -62,7 +67,7 @@ class Bodies:
             part, triangle = ends
         self._trees = BoundsTrees(self._parts, bodies)
         self._shape: Index = np.array([number[id(shape)] for shape in shapes], dtype=np.int64)
-        hulls = [outer_hull(shape) for shape in distinct.values()] if len(triangles) else []
+        hulls = [outer_hull(shape, store) for shape in distinct.values()] if len(triangles) else []
         self._hulls = ConvexParts(hulls)
         self._has_surface = np.array([len(shape.triangles) > 0 for shape in shapes], dtype=np.bool_)
         self._overlapping: dict[tuple[int, int], Index] = {}

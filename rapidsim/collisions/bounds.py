@@ -32,11 +32,11 @@ class Bounds:
         axes = np.tile(np.eye(3), (count, 1, 1)) if turned else None
         return cls(np.zeros((count, 3)), np.zeros((count, 3)), np.zeros(count), axes)
 
-    def put(self, at: Index, known: Bounds) -> None:
-        """Replace the bounds of bodies (k,) by known ones."""
-        self.centre[at], self.half[at], self.bound[at] = known.centre, known.half, known.bound
-        if self.axes is not None and known.axes is not None:
-            self.axes[at] = known.axes
+    def put(self, at: Index, some: Bounds) -> None:
+        """Replace the bounds of bodies (k,)."""
+        self.centre[at], self.half[at], self.bound[at] = some.centre, some.half, some.bound
+        if self.axes is not None and some.axes is not None:
+            self.axes[at] = some.axes
 
     def rows(self, at: Index) -> Bounds:
         """Return the bounds of some bodies."""

@@ -77,10 +77,10 @@ def most_overlaps(
     return most
 
 
-def _beyond_planes(triangles: Array, others: Array) -> Array:
-    """Return the lesser heights [m] of triangles (k, 3, 3) above and below the planes of others."""
-    normal = cross(others[:, 1] - others[:, 0], others[:, 2] - others[:, 0])
-    heights = np.einsum("knj,kj->kn", triangles - others[:, :1], normal)
+def _beyond_planes(triangles: Array, bases: Array) -> Array:
+    """Return the lesser heights [m] of triangles (k, 3, 3) above and below the planes of bases."""
+    normal = cross(bases[:, 1] - bases[:, 0], bases[:, 2] - bases[:, 0])
+    heights = np.einsum("knj,kj->kn", triangles - bases[:, :1], normal)
     lesser = np.minimum(heights.max(axis=1), -heights.min(axis=1))
     beyond: Array = lesser / np.sqrt(np.einsum("kj,kj->k", normal, normal))
     return beyond

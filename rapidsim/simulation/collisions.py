@@ -8,6 +8,7 @@ from dataclasses import replace
 from rapidsim.collisions.along_motion import search
 from rapidsim.collisions.contact import CollisionReport, Contact
 from rapidsim.collisions.geometry import CellGeometry
+from rapidsim.collisions.outer_hull import HullStore
 from rapidsim.controller.cell.conveyor_scripts import ConveyorScript
 from rapidsim.controller.moves.executed_move import ExecutedMove
 from rapidsim.diagnostics import Diagnostic, Related
@@ -21,10 +22,13 @@ _MM = 1e3
 
 
 def with_collisions(
-    simulation: Simulation, geometry: CellGeometry, conveyors: Sequence[ConveyorScript]
+    simulation: Simulation,
+    geometry: CellGeometry,
+    conveyors: Sequence[ConveyorScript],
+    hulls: HullStore | None = None,
 ) -> Simulation:
     """Return a run with the contacts and clearances of its bodies."""
-    made = cell_scene(simulation, geometry, conveyors)
+    made = cell_scene(simulation, geometry, conveyors, hulls)
     found = search(made.scene, simulation.motion_end_s, made.bodies)
     collisions = Collisions(
         geometry, found, made.scene, made.remarks, made.objects, made.parts, made.events

@@ -63,7 +63,8 @@ def test_the_depth_of_surfaces_is_that_of_their_deepest_triangles() -> None:
     row = np.zeros(len(poses), dtype=np.int64)
     found = Bodies([surface, surface]).depths(row, row + 1, poses, exact=False)
     assert (found > 0.0).sum() > len(found) // 2
-    for pose, deepest in zip(poses, found.tolist(), strict=True):
+    for number, deepest in enumerate(found.tolist()):
+        pose = poses[number]
         every = Transform(
             np.broadcast_to(pose.rotation, (count**2, 3, 3)),
             np.broadcast_to(pose.translation, (count**2, 3)),
