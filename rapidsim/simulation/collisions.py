@@ -29,7 +29,8 @@ def with_collisions(
 ) -> Simulation:
     """Return a run with the contacts and clearances of its bodies."""
     made = cell_scene(simulation, geometry, conveyors, hulls)
-    found = search(made.scene, simulation.motion_end_s, made.bodies)
+    end_s, has_depths = simulation.motion_end_s, geometry.has_depths
+    found = search(made.scene, end_s, made.bodies, has_depths=has_depths)
     collisions = Collisions(
         geometry, found, made.scene, made.remarks, made.objects, made.parts, made.events
     )

@@ -146,6 +146,9 @@ def test_a_contact_leaves_the_others_of_its_move_as_cheap_as_alone(
     )
     pairs = tuple(Pair(0, other, 0, touch_only=False) for other in (1, 2))
     arm = Arm(ROBOT, Transform.identity(), at, ((0.0, lasts),))
-    found = search(Scene((arm,), bodies, pairs), lasts)
-    assert [one.second.name for one in found.contacts] == ["sheet"]
+    scene = Scene((arm,), bodies, pairs)
+    (contact,) = search(scene, lasts).contacts
+    assert contact.second.name == "sheet"
     assert measured < 100
+    (shallow,) = search(scene, lasts, has_depths=False).contacts
+    assert (shallow.time_s, shallow.depth_m) == (contact.time_s, None)
