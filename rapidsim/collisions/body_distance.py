@@ -10,6 +10,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from rapidsim.collisions.bounds import straight
 from rapidsim.collisions.bounds_tree import (
     BoundsTrees,
     NodePairs,
@@ -23,9 +24,12 @@ from rapidsim.collisions.outer_hull import HullStore, outer_hull
 from rapidsim.collisions.overlap import depths, most_overlaps, shortest
 from rapidsim.collisions.shape import Shape
 from rapidsim.frames.transform import Array, Transform
+from rapidsim.repeated_rows import repeated
 from rapidsim.values import value_class
 
-_AT_ONCE = 50
+_ALIKE_M = 8e-3
+"""Travel [m] between poses of two bodies in which parts that may touch are sought at once."""
+_AT_ONCE = 100
 """Number of pairs of bodies whose depths are computed at once: more do not fit the cache."""
 _OF_NORMALS_M, _OF_NORMALS = 1e-4, 0.01
 """Tolerances of the distances that give normals of planes, absolute [m] and relative."""
@@ -195,15 +199,7 @@ class Bodies:
         self, first: Index, second: Index, second_from_first: Transform, *, exact: bool
     ) -> Array:
         found = np.zeros(len(first))
-        pairs = self._roots(first, second, second_from_first)
-        while True:
-            pairs = pairs.rows(pairs.near < 0.0)
-            leaf = self._trees.is_leaf(pairs)
-            if leaf.all():
-                break
-            below = self._trees.below(pairs.rows(~leaf), second_from_first, np.zeros(len(first)))
-            pairs = pairs.rows(leaf).and_also(below)
-        part_a, part_b, row = pairs.first, pairs.second, pairs.query
+        part_a, part_b, row = self._touching_parts(first, second, second_from_first)
 
         def overlapping(some: Index) -> Index:
             """Return the rows whose hulls overlap; of the others note how much their radii do."""
@@ -230,6 +226,37 @@ class Bodies:
             a, b = part_a[pair[rows]], part_b[pair[rows]]
             deepest[rows] = shortest(self._parts, a, b, second_from_first[rows])
         return np.maximum(found, deepest)
+
+    def _touching_parts(
+        self, first: Index, second: Index, second_from_first: Transform
+    ) -> tuple[Index, Index, Index]:
+        """Return pairs of parts (n,) that may touch, and the pairs of bodies they belong to.
+
+        In consecutive poses that are near each other they are sought once, for all of them.
+        """
+        rows = np.arange(len(first))
+        before = np.maximum(rows - 1, 0)
+        same = (first == first[before]) & (second == second[before]) & (rows > 0)
+        step = straight(self.bounds, first, second_from_first[before], second_from_first)
+        walked = np.cumsum(np.where(same, step, 0.0)) // _ALIKE_M
+        starts = np.flatnonzero(~same | (walked != walked[before]))
+        size = np.diff(starts, append=len(first))
+        some = starts + size // 2
+        poses = second_from_first[some]
+        apart = straight(
+            self.bounds, first, second_from_first, poses[np.repeat(rows[: len(size)], size)]
+        )
+        reach = np.maximum.reduceat(apart, starts)
+        pairs = self._roots(first[some], second[some], poses)
+        while True:
+            pairs = pairs.rows(pairs.near < reach[pairs.query])
+            leaf = self._trees.is_leaf(pairs)
+            if leaf.all():
+                break
+            below = self._trees.below(pairs.rows(~leaf), poses, reach)
+            pairs = pairs.rows(leaf).and_also(below)
+        each, number = repeated(size[pairs.query])
+        return pairs.first[each], pairs.second[each], starts[pairs.query[each]] + number
 
     def _roots(self, first: Index, second: Index, second_from_first: Transform) -> NodePairs:
         return self._trees.roots(self._shape[first], self._shape[second], second_from_first)

@@ -188,3 +188,23 @@ def _surface(half: Array) -> Array:
     """Return numbers (k,) proportional to the surfaces of boxes with half edges (k, 3)."""
     surface: Array = (half * np.roll(half, 1, axis=1)).sum(axis=1)
     return surface
+
+
+def turned(first: Array, other: Array) -> Array:
+    """Upper bound of the displacement of a point at distance 1 between two rotations (...)."""
+    apart = first - other
+    moved: Array = np.sqrt(0.5 * np.einsum("...ij,...ij->...", apart, apart))
+    return moved
+
+
+def straight(bounds: Bounds, first: Index, start: Transform, end: Transform) -> Array:
+    """Upper bounds (k,) [m] of point displacements on the straight path between two poses."""
+    centre = bounds.centre[first]
+    shift = np.linalg.norm(
+        np.einsum("kij,kj->ki", end.rotation - start.rotation, centre)
+        + end.translation
+        - start.translation,
+        axis=1,
+    )
+    moved: Array = shift + turned(end.rotation, start.rotation) * bounds.bound[first]
+    return moved
