@@ -57,7 +57,11 @@ def test_the_body_around_a_shape_contains_it_and_little_more() -> None:
 def test_the_depth_of_surfaces_is_that_of_their_deepest_triangles() -> None:
     """Trees and planes leave out only triangles that are less deep: here each pair is tried."""
     surface = shape.of_mesh(ring(120), Filling.SURFACE)
-    count, poses = len(surface.triangles), random_poses(np.random.default_rng(3), cases(12), 0.2)
+    count, apart = len(surface.triangles), random_poses(np.random.default_rng(3), cases(6), 0.2)
+    shifts = np.arange(3.0)[None, :, None] * np.array([0.001, 0.002, 0.0])
+    poses = Transform(
+        np.repeat(apart.rotation, 3, axis=0), (apart.translation[:, None] + shifts).reshape(-1, 3)
+    )
     parts = ConvexParts([], surface.triangles)
     first, second = (one.reshape(-1) for one in np.indices((count, count)))
     row = np.zeros(len(poses), dtype=np.int64)
