@@ -46,13 +46,16 @@ _MOST_DEPTHS = 500
 """Number of contacts, from the first of the run, whose depth is measured."""
 
 
-def search(scene: Scene, end_s: float, bodies: Bodies | None = None) -> CollisionReport:
+def search(
+    scene: Scene, end_s: float, bodies: Bodies | None = None, *, has_depths: bool = True
+) -> CollisionReport:
     """Check the whole motion.
 
     Args:
         scene: Arms, bodies and pairs.
         end_s: End of the run [s].
         bodies: Bodies of the scene, to share them between several motions; None to build them.
+        has_depths: Whether to measure the depths of contacts.
     """
     if not scene.pairs:
         return CollisionReport((), ())
@@ -60,7 +63,7 @@ def search(scene: Scene, end_s: float, bodies: Bodies | None = None) -> Collisio
     for times in _sample_times(scene, end_s):
         found.check_block(times)
     found.check_enclosed()
-    return found.result()
+    return found.result(_MOST_DEPTHS if has_depths else 0)
 
 
 def _sample_times(scene: Scene, end_s: float) -> list[Array]:
@@ -270,7 +273,7 @@ class _Search:
             return some
         owner, *moves = self._moves(some)
         wanted = np.maximum(*(self._nearest[owner, move] for move in moves))
-        wanted[self._touch_only[some.pair]] = 0.0
+        wanted[(wanted < 0.0) | self._touch_only[some.pair]] = 0.0
         # The bound for a gap that is not measured must not leave the interval undecided.
         way = self._block.approach(some)
         enough = wanted + way * start + TOUCH_M
@@ -331,11 +334,11 @@ class _Search:
             tolerance = max(_NEARER_M, _NEARER * least) * (_OF_SURFACES if surfaces[k] else 1.0)
             self._wanted[owner[k], move[k]] = least - tolerance
 
-    def result(self) -> CollisionReport:
-        """Return all contacts and clearances."""
+    def result(self, most_depths: int) -> CollisionReport:
+        """Return all contacts, the first with their depths, and clearances."""
         bodies, pairs = self._scene.bodies, self._scene.pairs
         touched = sorted(self._touch.items(), key=lambda one: (one[1].time_s, one[0]))
-        depths = self._depths([key for key, _ in touched[:_MOST_DEPTHS]])
+        depths = self._depths([key for key, _ in touched[:most_depths]])
         places = self._places(touched[:_MOST_DEPTHS])
         continued = self._continued()
         contacts = tuple(

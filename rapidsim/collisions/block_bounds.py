@@ -14,12 +14,13 @@ from dataclasses import replace
 import numpy as np
 
 from rapidsim.collisions.body_distance import Bodies
+from rapidsim.collisions.bounds import straight
 from rapidsim.collisions.contact import FARTHEST_M
 from rapidsim.collisions.convex import Index, Mask
 from rapidsim.collisions.intervals import PairIntervals, unseen
 from rapidsim.collisions.overlap import TOUCH_M
 from rapidsim.collisions.scene import Scene
-from rapidsim.collisions.travel import LONGEST, Travel, straight
+from rapidsim.collisions.travel import LONGEST, Travel
 from rapidsim.frames.transform import Array, Transform
 from rapidsim.repeated_rows import repeated
 

@@ -5,8 +5,6 @@ Each body has a box, along axes of its own, and a sphere around the centre of th
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-
 import numpy as np
 
 from rapidsim.collisions.convex import Index
@@ -27,6 +25,18 @@ class Bounds:
         """
         self.centre, self.half, self.axes = centre, half, axes
         self.bound: Array = np.minimum(bound, np.linalg.norm(half, axis=1))
+
+    @classmethod
+    def unknown(cls, count: int, *, turned: bool) -> Bounds:
+        """Return bounds of bodies that `put` replaces; `turned` if boxes may have own axes."""
+        axes = np.tile(np.eye(3), (count, 1, 1)) if turned else None
+        return cls(np.zeros((count, 3)), np.zeros((count, 3)), np.zeros(count), axes)
+
+    def put(self, at: Index, some: Bounds) -> None:
+        """Replace the bounds of bodies (k,)."""
+        self.centre[at], self.half[at], self.bound[at] = some.centre, some.half, some.bound
+        if self.axes is not None and some.axes is not None:
+            self.axes[at] = some.axes
 
     def rows(self, at: Index) -> Bounds:
         """Return the bounds of some bodies."""
@@ -180,18 +190,21 @@ def _surface(half: Array) -> Array:
     return surface
 
 
-def joined(levels: Sequence[Bounds]) -> Bounds:
-    """Return bounds one after the other."""
-    axes = None
-    if any(one.axes is not None for one in levels):
-        own = [
-            np.broadcast_to(np.eye(3), (len(one.bound), 3, 3)) if one.axes is None else one.axes
-            for one in levels
-        ]
-        axes = np.concatenate(own)
-    return Bounds(
-        np.concatenate([one.centre for one in levels]),
-        np.concatenate([one.half for one in levels]),
-        np.concatenate([one.bound for one in levels]),
-        axes,
+def turned(first: Array, other: Array) -> Array:
+    """Upper bound of the displacement of a point at distance 1 between two rotations (...)."""
+    apart = first - other
+    moved: Array = np.sqrt(0.5 * np.einsum("...ij,...ij->...", apart, apart))
+    return moved
+
+
+def straight(bounds: Bounds, first: Index, start: Transform, end: Transform) -> Array:
+    """Upper bounds (k,) [m] of point displacements on the straight path between two poses."""
+    centre = bounds.centre[first]
+    shift = np.linalg.norm(
+        np.einsum("kij,kj->ki", end.rotation - start.rotation, centre)
+        + end.translation
+        - start.translation,
+        axis=1,
     )
+    moved: Array = shift + turned(end.rotation, start.rotation) * bounds.bound[first]
+    return moved

@@ -5,7 +5,8 @@ Pairs of nodes are followed down from the roots, for many pairs of bodies at onc
 of a pair is replaced by its members, and pairs farther apart than wanted are dropped.
 
 Parts are ordered along a curve that fills space (Morton order), so that consecutive ones are near
-each other.
+each other. Bounds of nodes are computed when a search first reaches them: of a large surface it
+reaches few.
 """
 
 from __future__ import annotations
@@ -14,7 +15,7 @@ from collections.abc import Callable, Iterator, Sequence
 
 import numpy as np
 
-from rapidsim.collisions.bounds import Bounds, around, around_triangles, joined
+from rapidsim.collisions.bounds import Bounds, around, around_triangles
 from rapidsim.collisions.convex import ConvexParts, Index, Mask
 from rapidsim.frames.transform import Array, Transform
 from rapidsim.repeated_rows import repeated
@@ -64,23 +65,34 @@ class BoundsTrees:
             bodies: Indices of the parts of each body.
         """
         self.parts = parts
-        count = len(parts.bound)
+        count = len(parts.centre)
         no = np.zeros(count, dtype=np.int64)
-        levels, members, starts, sizes = [_of_parts(parts)], [no[:0]], [no], [no]
+        members, starts, sizes, orders, firsts, counts, forms = (
+            [no[:0]],
+            [no],
+            [no],
+            [],
+            [no],
+            [no],
+            [no],
+        )
         roots: list[int] = []
-        placed = 0
+        placed = ordered = 0
         for body in bodies:
             nodes = body
             if len(body) > 1:
                 nodes = body[_along_curve(parts.centre[body])]
-            corners, span = parts.corners(nodes), 1
+            orders.append(nodes)
+            span, form = 1, int((body >= parts.first_triangle).all())
             has_many = len(body) > _FEW
             members_each = _MEMBERS if has_many else len(body)
             while len(nodes) > 1:
                 span *= members_each
                 edges = np.arange(0, len(nodes), members_each)
-                turned = has_many and span <= _FEW
-                levels.append(around(corners, np.arange(0, len(corners), span), turned=turned))
+                first = np.arange(0, len(body), span)
+                firsts.append(ordered + first)
+                counts.append(np.minimum(span, len(body) - first))
+                forms.append(np.full(len(first), form + 2 * (has_many and span <= _FEW)))
                 members.append(nodes)
                 starts.append(placed + edges)
                 sizes.append(np.diff(edges, append=len(nodes)))
@@ -88,12 +100,47 @@ class BoundsTrees:
                 nodes = count + np.arange(len(edges))
                 count += len(edges)
             roots.append(int(nodes[0]))
-        self._nodes = joined(levels)
+            ordered += len(body)
+        self._order = np.concatenate([no[:0], *orders])
+        self._first, self._count = np.concatenate(firsts), np.concatenate(counts)
+        self._form: Index = np.concatenate(forms)
+        """Form of groups: 1 for those of triangles only, plus 2 for those with turned boxes."""
+        end, has_axes = (
+            parts.first_triangle,
+            len(parts.triangles) > 0 or self._form.max(initial=0) > 1,
+        )
+        self._nodes = Bounds.unknown(count, turned=bool(has_axes))
+        solids = np.arange(end)
+        self._nodes.put(solids, Bounds(parts.centre[:end], parts.half[:end], parts.bound))
+        self._is_known = np.arange(count) < end
         self._members = np.concatenate(members)
         self._start, self._size = np.concatenate(starts), np.concatenate(sizes)
-        self._roots = np.array(roots, dtype=np.int64)
+        self._roots: Index = np.array(roots, dtype=np.int64)
+        self._reach(self._roots)
         self.bounds = self._nodes.rows(self._roots)
         """Bounds of the bodies."""
+
+    def _reach(self, nodes: Index) -> None:
+        """Compute the bounds of nodes (k,) that no search has reached."""
+        nodes = nodes[~self._is_known[nodes]]
+        if not len(nodes):
+            return
+        nodes = np.unique(nodes)
+        self._is_known[nodes] = True
+        is_part = self._size[nodes] == 0
+        triangles, groups = nodes[is_part], nodes[~is_part]
+        if len(triangles):
+            corners = self.parts.corners_of_triangles(triangles)
+            self._nodes.put(triangles, around_triangles(corners))
+        for form in np.unique(self._form[groups]).tolist():
+            some = groups[self._form[groups] == form]
+            size = self._count[some]
+            row, number = repeated(size)
+            part = self._order[self._first[some][row] + number]
+            corners = (
+                self.parts.corners_of_triangles(part) if form % 2 else self.parts.corners(part)
+            )
+            self._nodes.put(some, around(corners, np.cumsum(size) - size, turned=form > 1))
 
     def roots(self, first: Index, second: Index, second_from_first: Transform) -> NodePairs:
         """Return pairs of bodies (k,), each a query."""
@@ -113,6 +160,7 @@ class BoundsTrees:
             member = found[each]
             member[group] = self._members[self._start[member[group]] + number[group]]
             row = row[each]
+            self._reach(member)
             distance = self._nodes.from_points(member, points[row])
             nearest = first_of_each(row, distance, count)
             row, found = row[nearest], member[nearest]
@@ -141,6 +189,7 @@ class BoundsTrees:
         opens = opens_first[row]
         first, second = np.where(opens, member, a[row]), np.where(opens, b[row], member)
         query = pairs.query[row]
+        self._reach(member)
         near = self._nodes.gaps(first, second, second_from_first[query], enough[query])
         return NodePairs(query, first, second, near)
 
@@ -191,12 +240,3 @@ def _spread(
     ):
         number = (number | (number << np.uint64(shift))) & np.uint64(mask)
     return number
-
-
-def _of_parts(parts: ConvexParts) -> Bounds:
-    """Return the bounds of single parts."""
-    end = parts.first_triangle
-    solids = Bounds(parts.centre[:end], parts.half[:end], parts.bound[:end])
-    if not len(parts.triangles):
-        return solids
-    return joined([solids, around_triangles(parts.triangles)])

@@ -22,6 +22,7 @@ Index = npt.NDArray[np.int64]
 Mask = npt.NDArray[np.bool_]
 NO_TRIANGLES: Array = np.zeros((0, 3, 3))
 _BOX = np.array([[x, y, z] for x in (-1.0, 1.0) for y in (-1.0, 1.0) for z in (-1.0, 1.0)])
+_REPEATED = np.arange(len(_BOX)) % 3
 _FEW = 8
 """Number of points up to which parts are processed in one array, others one by one."""
 _AT_ONCE = 60_000
@@ -60,24 +61,22 @@ class ConvexParts:
     def __init__(self, parts: Sequence[ConvexPart], triangles: Array = NO_TRIANGLES) -> None:
         """Store parts in arrays, followed by triangles (t, 3, 3) [m]."""
         count, more = len(parts), len(triangles)
+        no = np.zeros(more)
         self.triangles = triangles
         self.first_triangle = count
         """Number of the part that is the first triangle."""
-        self.radius = np.array([part.radius for part in parts] + more * [0.0])
+        self.radius = np.append([part.radius for part in parts], no)
         low = np.array([part.points.min(axis=0) for part in parts]).reshape(-1, 3)
         low = np.concatenate([low, np.minimum.reduce(np.swapaxes(triangles, 0, 1))])
         high = np.array([part.points.max(axis=0) for part in parts]).reshape(-1, 3)
         high = np.concatenate([high, np.maximum.reduce(np.swapaxes(triangles, 0, 1))])
         self.centre: Array = 0.5 * (low + high)
-        apart = triangles - self.centre[count:, None]
-        far = np.sqrt(np.einsum("kij,kij->ki", apart, apart)).max(axis=1)
-        self.bound = np.concatenate([[part.bound for part in parts], far])
-        across = np.cross(triangles[:, 1] - triangles[:, 0], triangles[:, 2] - triangles[:, 0])
-        across /= np.linalg.norm(across, axis=1)[:, None]
-        self._normals = np.concatenate([*(part.normals for part in parts), across])
-        self._normal_counts = np.array([len(part.normals) for part in parts] + more * [1])
+        self.bound = np.array([part.bound for part in parts])
+        """Radii (n,) [m] of bounding spheres of the parts that are no triangles."""
+        self._normals = np.concatenate([np.zeros((0, 3)), *(part.normals for part in parts)])
+        self._normal_counts: Index = np.array([len(part.normals) for part in parts], dtype=np.int64)
         self._normal_ends: Index = np.cumsum(self._normal_counts)
-        self._disc = np.array([part.disc for part in parts] + more * [0.0])
+        self._disc = np.append([part.disc for part in parts], no)
         self._has_discs = bool(self._disc.any())
         self._few = np.zeros((count, _FEW, 3))
         self._axis = np.zeros((count + more, 3))
@@ -92,11 +91,12 @@ class ConvexParts:
             if part.disc:
                 along = part.points[1] - part.points[0]
                 self._axis[number] = along / np.linalg.norm(along)
-        wide = self._disc[:, None] * np.sqrt(np.maximum(1.0 - self._axis**2, 0.0))
-        wide += self.radius[:, None]
-        self.half: Array = 0.5 * (high - low) + wide
+        wide = self._disc[:count, None] * np.sqrt(np.maximum(1.0 - self._axis[:count] ** 2, 0.0))
+        wide += self.radius[:count, None]
+        self.half: Array = 0.5 * (high - low)
+        self.half[:count] += wide
         """Half the edges (n, 3) of the bounding boxes, whose middles are the centres."""
-        points = np.array([len(part.points) for part in parts] + more * [3], dtype=np.int64)
+        points = np.append([len(part.points) for part in parts], no).astype(np.int64)
         self._is_cloud = points > _FEW
         sizes = np.where(self._is_cloud, points, 0)
         self._cloud_start: Index = np.cumsum(sizes) - sizes
@@ -105,26 +105,36 @@ class ConvexParts:
         )
 
     def corners(self, part: Index) -> Array:
-        """Return points (k, p, 3) whose hulls contain parts (k,): corners of boxes or triangles."""
+        """Return points (k, 8, 3) whose hulls contain parts (k,): of a triangle they repeat."""
         is_triangle = part >= self.first_triangle
-        triangles = self.triangles[part[is_triangle] - self.first_triangle]
-        if is_triangle.all():
-            return triangles
         found = np.empty((len(part), len(_BOX), 3))
-        found[is_triangle] = triangles[:, np.arange(len(_BOX)) % 3]
+        found[is_triangle] = self.corners_of_triangles(part[is_triangle])[:, _REPEATED]
         of_parts = part[~is_triangle]
         found[~is_triangle] = self.centre[of_parts][:, None] + self.half[of_parts][:, None] * _BOX
         return found
 
+    def corners_of_triangles(self, part: Index) -> Array:
+        """Return the corners (k, 3, 3) of parts (k,) that are triangles."""
+        corners: Array = self.triangles[part - self.first_triangle]
+        return corners
+
     def normals(self, part: Index) -> tuple[Array, Mask]:
         """Return the normals (k, m, 3) of parts (k,), and a mask (k, m) of valid ones."""
-        count, end = self._normal_counts[part], self._normal_ends[part]
+        is_triangle = part >= self.first_triangle
+        solid = np.flatnonzero(~is_triangle)
+        count: Index = np.ones(len(part), dtype=np.int64)
+        count[solid] = self._normal_counts[part[solid]]
         number = np.arange(count.max(initial=0))
         there = number < count[:, None]
-        row = np.where(there, (end - count)[:, None] + number, 0)
-        if not len(number):
-            return np.zeros((len(part), 0, 3)), there
-        return self._normals[row], there
+        normals = np.zeros((len(part), len(number), 3))
+        row, at = np.nonzero(there[solid])
+        first = (self._normal_ends - self._normal_counts)[part[solid]]
+        normals[solid[row], at] = self._normals[first[row] + at]
+        if is_triangle.any():
+            some = self.corners_of_triangles(part[is_triangle])
+            across = np.cross(some[:, 1] - some[:, 0], some[:, 2] - some[:, 0])
+            normals[is_triangle, 0] = across / np.linalg.norm(across, axis=1)[:, None]
+        return normals, there
 
     def farthest(self, part: Index, direction: Array) -> Array:
         """Return the farthest points (k, 3) of parts (k,) in directions (k, 3).

@@ -12,6 +12,7 @@ Source:
 from __future__ import annotations
 
 from dataclasses import fields
+from itertools import combinations
 
 import numpy as np
 import numpy.typing as npt
@@ -28,9 +29,6 @@ _OVERLAP_M = 1e-9
 _MOST_STEPS = 100
 _FLAT = 1e-12
 _AFTER, _BEFORE = np.array([1, 2, 0]), np.array([2, 0, 1])
-_EDGE = np.arange(3)
-_ONE, _OTHER = np.array([0, 0, 1]), np.array([1, 2, 2])
-"""Indices of the two edges from the newest point that span each side."""
 
 
 @value_class(frozen=True, slots=True, eq=False)
@@ -194,29 +192,36 @@ def _nearest_of_simplices(corners: Array, other_rows: Index) -> Array:
         Exact zeros for corners without a share. The newest has one: the previous point was the
         nearest of all others.
     """
-    count = len(corners)
+    count, most = len(corners), int(other_rows.max(initial=0))
+    found = np.zeros((count, 4))
+    if not most:
+        found[:, 0] = 1.0
+        return found
+    most = max(2, most)  # The product of one edge with itself would be rounded differently.
     newest = corners[:, 0]
-    edges = corners[:, 1:] - newest[:, None]
-    there = np.arange(3) < other_rows[:, None]
+    edges = corners[:, 1 : 1 + most] - newest[:, None]
+    there = np.arange(most) < other_rows[:, None]
     gram = edges @ np.swapaxes(edges, 1, 2)
     toward = -np.einsum("kij,kj->ki", edges, newest)
     # In order: the newest alone, with one edge, with two, with all three.
-    shares = np.zeros((count, 8, 3))
-    fits = np.ones((count, 8), dtype=np.bool_)
+    shares = np.zeros((count, 2**most, most))
+    fits = np.ones((count, 2**most), dtype=np.bool_)
+    edge = np.arange(most)
     with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
-        squares = gram[:, _EDGE, _EDGE]
-        shares[:, 1 + _EDGE, _EDGE] = toward / squares
-        fits[:, 1:4] = there & (squares > 0.0)
-        both = gram[:, _ONE, _OTHER]
-        one, other = squares[:, _ONE], squares[:, _OTHER]
-        area = one * other - both**2
-        shares[:, 4 + _EDGE, _ONE] = (toward[:, _ONE] * other - toward[:, _OTHER] * both) / area
-        shares[:, 4 + _EDGE, _OTHER] = (toward[:, _OTHER] * one - toward[:, _ONE] * both) / area
-        fits[:, 4:7] = there[:, _ONE] & there[:, _OTHER] & (area > _FLAT * one * other)
-        across = cross(edges[:, _AFTER], edges[:, _BEFORE])
-        volume = np.einsum("kj,kj->k", edges[:, 0], across[:, 0])
-        shares[:, 7] = -np.einsum("kij,kj->ki", across, newest) / volume[:, None]
-        fits[:, 7] = there[:, 2] & (volume**2 > _FLAT * squares.prod(axis=1))
+        squares = gram[:, edge, edge]
+        shares[:, 1 + edge, edge] = toward / squares
+        fits[:, 1 : 1 + most] = there & (squares > 0.0)
+        for number, (a, b) in enumerate(combinations(range(most), 2), 1 + most):
+            both, one, other = gram[:, a, b], squares[:, a], squares[:, b]
+            area = one * other - both**2
+            shares[:, number, a] = (toward[:, a] * other - toward[:, b] * both) / area
+            shares[:, number, b] = (toward[:, b] * one - toward[:, a] * both) / area
+            fits[:, number] = there[:, a] & there[:, b] & (area > _FLAT * one * other)
+        if most == len(_AFTER):
+            across = cross(edges[:, _AFTER], edges[:, _BEFORE])
+            volume = np.einsum("kj,kj->k", edges[:, 0], across[:, 0])
+            shares[:, 7] = -np.einsum("kij,kj->ki", across, newest) / volume[:, None]
+            fits[:, 7] = there[:, 2] & (volume**2 > _FLAT * squares.prod(axis=1))
         shares[~fits] = 0.0
         own = 1.0 - shares.sum(axis=2)
         # NaN is not a valid share either.
@@ -225,4 +230,5 @@ def _nearest_of_simplices(corners: Array, other_rows: Index) -> Array:
     squares = np.where(fits, np.einsum("kij,kij->ki", places, places), np.inf)
     best = squares.argmin(axis=1)
     row = np.arange(count)
-    return np.concatenate([own[row, best][:, None], shares[row, best]], axis=1)
+    found[:, 0], found[:, 1 : 1 + most] = own[row, best], shares[row, best]
+    return found

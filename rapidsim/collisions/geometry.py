@@ -120,5 +120,7 @@ class CellGeometry:
     """Distance [m] below which a run is reported."""
     stops: bool = False
     """Whether a contact ends the run."""
+    has_depths: bool = True
+    """Whether depths of contacts are measured."""
     own_links: bool = True
     """Whether an arm is checked against itself."""

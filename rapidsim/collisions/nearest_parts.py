@@ -57,7 +57,7 @@ class NearestParts:
         self.point = np.zeros((len(enough), 3))
         self._first_point = np.zeros((len(enough), 3))
         """Shape (k, 3): points of the first bodies nearest to those of the second."""
-        self._found_of = np.full((len(enough), 2), -1)
+        self.found_of = np.full((len(enough), 2), -1)
         """Shape (k, 2): parts between which the gap was found."""
         self.limit = np.array(enough)
         """[m]: bounds above which pairs of nodes are irrelevant."""
@@ -147,7 +147,7 @@ class NearestParts:
 
     def measure(self, pairs: NodePairs) -> None:
         """Compute the gaps of pairs of parts."""
-        known = self._found_of[pairs.query]
+        known = self.found_of[pairs.query]
         known_ones = (pairs.first == known[:, 0]) & (pairs.second == known[:, 1])
         pairs = pairs.rows(self._matters(pairs) & ~known_ones)
         if not len(pairs.query):
@@ -183,7 +183,7 @@ class NearestParts:
         at, gap = row[nearest], value[nearest]
         self.found[at], self.point[at] = gap, point[nearest]
         self._first_point[at] = got.first[nearest]
-        self._found_of[at] = np.column_stack([part_a[nearest], part_b[nearest]])
+        self.found_of[at] = np.column_stack([part_a[nearest], part_b[nearest]])
         tolerance = self.tolerance(at, gap)
         is_least = gap - self.least[at] < 2.0 * tolerance
         self.limit[at] = np.where(is_least, -np.inf, np.minimum(self.limit[at], gap - tolerance))

@@ -9,6 +9,7 @@ distance of the next one.
 from __future__ import annotations
 
 from functools import lru_cache
+from typing import Protocol
 
 import numpy as np
 
@@ -16,7 +17,7 @@ from rapidsim.collisions.convex import ConvexPart, ConvexParts
 from rapidsim.collisions.distance import distances
 from rapidsim.collisions.overlap import directions_around
 from rapidsim.collisions.shape import Shape
-from rapidsim.frames.transform import Transform
+from rapidsim.frames.transform import Array, Transform
 
 _DIRECTIONS, _OUTSIDE = 1000, 1000
 """Numbers of directions, and of points outside the hull of their extreme points that are added."""
@@ -28,20 +29,53 @@ _CLOSE_M = 1e-4
 """Tolerance [m] of the distances of points outside the hull."""
 
 
-def outer_hull(shape: Shape) -> ConvexPart:
-    """Return a convex part that contains a shape."""
+class HullStore(Protocol):
+    """Store of numbers that earlier runs computed, by the content that they are of."""
+
+    def numbers(self, content: bytes) -> Array | None:
+        """Return the numbers stored for a content; None if there are none."""
+        ...
+
+    def keep_numbers(self, content: bytes, numbers: Array) -> None:
+        """Store the numbers computed for a content."""
+        ...
+
+    def __hash__(self) -> int:
+        """Hash of the place where they are."""
+        ...
+
+
+def outer_hull(shape: Shape, store: HullStore | None = None) -> ConvexPart:
+    """Return a convex part that contains a shape.
+
+    Args:
+        shape: The shape.
+        store: Has the parts around large shapes that earlier runs computed; None to compute them.
+    """
     parts = ConvexParts(shape.parts)
     round_ones = [number for number, part in enumerate(shape.parts) if part.radius or part.disc]
     corners = parts.corners(np.array(round_ones, dtype=np.int64)).reshape(-1, 3)
-    return _around(np.concatenate([corners, shape.vertices]).tobytes())
+    return _around(np.concatenate([corners, shape.vertices]).tobytes(), store)
 
 
 @lru_cache(maxsize=_KEPT)
-def _around(coordinates: bytes) -> ConvexPart:
+def _around(coordinates: bytes, store: HullStore | None) -> ConvexPart:
     """Return a convex part that contains points, of which these are the coordinates."""
     points = np.frombuffer(coordinates).reshape(-1, 3)
     if len(points) <= _FEW:
         return ConvexPart(points)
+    if store is None:
+        return _around_many(points)
+    known = store.numbers(coordinates)
+    if known is None or len(known) % 3 != 1:
+        made = _around_many(points)
+        known = np.append(made.points, made.radius)
+        store.keep_numbers(coordinates, known)
+    return ConvexPart(known[:-1].reshape(-1, 3), radius=float(known[-1]))
+
+
+def _around_many(points: Array) -> ConvexPart:
+    """Return a convex part of few points, and a radius, that contains points (k, 3)."""
     row = np.zeros(len(points), dtype=np.int64)
     every = ConvexParts([ConvexPart(points)])
     extreme = every.farthest(row[:_DIRECTIONS], directions_around(_DIRECTIONS))

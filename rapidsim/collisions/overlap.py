@@ -10,12 +10,15 @@ from __future__ import annotations
 import numpy as np
 
 from rapidsim.collisions.convex import ConvexParts, Index
+from rapidsim.frames.rotation_vectors import cross
 from rapidsim.frames.transform import Array, Transform
 
 TOUCH_M = 1e-5
 """Overlap [m] up to which bodies only touch: a part lying on a table is not a collision."""
 _ALL_AROUND = 60
 _ROUNDS = 14
+_ROUNDED_M = 1e-12
+"""Error [m] by rounding, at most, of heights of triangles."""
 _AT_ONCE = 500
 """Number of pairs for which all directions are tried at once."""
 
@@ -53,6 +56,34 @@ def flat_overlaps(
     if not ways.shape[1]:
         return np.full(len(first), np.inf), np.tile([0.0, 0.0, 1.0], (len(first), 1))
     return _best(parts, first, second, second_from_first, ways, there)
+
+
+def most_overlaps(
+    parts: ConvexParts, first: Index, second: Index, second_from_first: Transform
+) -> Array:
+    """Return upper bounds [m] of the overlaps of parts; of two triangles from their planes.
+
+    Parameters as for `flat_overlaps`.
+    """
+    most = np.empty(len(first))
+    both = np.minimum(first, second) >= parts.first_triangle
+    rest = ~both
+    most[rest], _ = flat_overlaps(parts, first[rest], second[rest], second_from_first[rest])
+    pose = second_from_first[both]
+    own = np.einsum("kij,knj->kni", pose.rotation, parts.corners_of_triangles(first[both]))
+    own += pose.translation[:, None]
+    other = parts.corners_of_triangles(second[both])
+    most[both] = np.minimum(_beyond_planes(own, other), _beyond_planes(other, own)) + _ROUNDED_M
+    return most
+
+
+def _beyond_planes(triangles: Array, bases: Array) -> Array:
+    """Return the lesser heights [m] of triangles (k, 3, 3) above and below the planes of bases."""
+    normal = cross(bases[:, 1] - bases[:, 0], bases[:, 2] - bases[:, 0])
+    heights = np.einsum("knj,kj->kn", triangles - bases[:, :1], normal)
+    lesser = np.minimum(heights.max(axis=1), -heights.min(axis=1))
+    beyond: Array = lesser / np.sqrt(np.einsum("kj,kj->k", normal, normal))
+    return beyond
 
 
 def depths(

@@ -13,7 +13,13 @@ from enum import StrEnum
 import numpy as np
 
 from rapidsim.collisions.convex import NO_TRIANGLES, ConvexPart
-from rapidsim.collisions.meshes.triangles import Faces, Triangles, components, hollowness
+from rapidsim.collisions.meshes.triangles import (
+    Faces,
+    Triangles,
+    components,
+    corners_of,
+    hollowness,
+)
 from rapidsim.frames.transform import Array, Transform
 from rapidsim.values import value_class
 
@@ -214,7 +220,7 @@ def _convex(vertices: Array, faces: Faces) -> ConvexPart:
     across = np.cross(b - a, c - a)
     largest = np.argsort(-np.linalg.norm(across, axis=1), kind="stable")[:_NORMALS]
     normals = across[largest] / np.linalg.norm(across[largest], axis=1)[:, None]
-    return ConvexPart(vertices[np.unique(faces)], normals=normals)
+    return ConvexPart(vertices[corners_of(faces)], normals=normals)
 
 
 def _is_in_hull(points: Array, vertices: Array, faces: Faces) -> bool:
@@ -222,7 +228,7 @@ def _is_in_hull(points: Array, vertices: Array, faces: Faces) -> bool:
     a, b, c = (vertices[faces[:, i]] for i in range(3))
     normals = np.cross(b - a, c - a)
     normals /= np.linalg.norm(normals, axis=1)[:, None]
-    middle = vertices[np.unique(faces)].mean(axis=0)
+    middle = vertices[corners_of(faces)].mean(axis=0)
     outward = np.where(np.einsum("kj,kj->k", a - middle, normals)[:, None] < 0.0, -1.0, 1.0)
     normals = normals * outward
     heights = points @ normals.T - np.einsum("kj,kj->k", a, normals)

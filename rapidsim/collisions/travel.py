@@ -11,10 +11,10 @@ from __future__ import annotations
 import numpy as np
 import numpy.typing as npt
 
-from rapidsim.collisions.bounds import Bounds
+from rapidsim.collisions.bounds import Bounds, turned
 from rapidsim.collisions.convex import Index
 from rapidsim.collisions.scene import Poses, Scene
-from rapidsim.frames.transform import Array, Transform
+from rapidsim.frames.transform import Array
 
 _SAFETY = 2.0
 _NEIGHBOURS = 2
@@ -111,26 +111,6 @@ def _stirring(move: Index, travel: Array) -> tuple[Index, npt.NDArray[np.bool_]]
         of_brief = brief[end]
         np.add.at(total, end[of_brief], steps[of_brief])
     return moves, total > _STIRS_M
-
-
-def turned(first: Array, other: Array) -> Array:
-    """Upper bound of the displacement of a point at distance 1 between two rotations (...)."""
-    apart = first - other
-    moved: Array = np.sqrt(0.5 * np.einsum("...ij,...ij->...", apart, apart))
-    return moved
-
-
-def straight(bounds: Bounds, first: Index, start: Transform, end: Transform) -> Array:
-    """Upper bounds (k,) [m] of point displacements on the straight path between two poses."""
-    centre = bounds.centre[first]
-    shift = np.linalg.norm(
-        np.einsum("kij,kj->ki", end.rotation - start.rotation, centre)
-        + end.translation
-        - start.translation,
-        axis=1,
-    )
-    moved: Array = shift + turned(end.rotation, start.rotation) * bounds.bound[first]
-    return moved
 
 
 def _second(values: Array, step: Array) -> Array:

@@ -99,7 +99,8 @@ def draw_quaternions(axes: Axes, times: Array, quaternions: Array, theme: Colour
     norm = np.linalg.norm(quaternions, axis=1)
     axes.plot(times, norm, color=theme.programmed, linestyle="--", label="norm")
     off = np.abs(norm - 1.0).max()
-    axes.set_title(f"quaternion, base frame, scalar first; its norm is 1 within {off:.0e}")
+    within = f" within {off:.0e}" if off else ""
+    axes.set_title(f"quaternion, base frame, scalar first; its norm is 1{within}")
     axes.set_ylim(-1.08, 1.12)
 
 

@@ -7,6 +7,7 @@ from dataclasses import replace
 
 from rapidsim.collisions.body_distance import Bodies
 from rapidsim.collisions.geometry import CellGeometry, CellObject
+from rapidsim.collisions.outer_hull import HullStore
 from rapidsim.collisions.scene import Scene
 from rapidsim.collisions.shape import sphere
 from rapidsim.controller.cell.conveyor_scripts import ConveyorScript
@@ -40,11 +41,14 @@ class CellScene:
 
 
 def cell_scene(
-    simulation: Simulation, geometry: CellGeometry, conveyors: Sequence[ConveyorScript]
+    simulation: Simulation,
+    geometry: CellGeometry,
+    conveyors: Sequence[ConveyorScript],
+    hulls: HullStore | None = None,
 ) -> CellScene:
     """Return the bodies of a run and the pairs of them that must not touch."""
     cell = CellBodies(simulation, geometry, conveyors)
-    distances = Bodies([*(body.shape for body in cell.bodies), _POINT])
+    distances = Bodies([*(body.shape for body in cell.bodies), _POINT], hulls)
     holders = tuple(part_holders(cell, geometry))
     courses = part_courses(cell, distances, holders, tuple(part_sinks(cell, geometry)))
     for number, course in courses.parts.items():

@@ -8,6 +8,7 @@ from dataclasses import replace
 from rapidsim.collisions.along_motion import search
 from rapidsim.collisions.contact import CollisionReport, Contact
 from rapidsim.collisions.geometry import CellGeometry
+from rapidsim.collisions.outer_hull import HullStore
 from rapidsim.controller.cell.conveyor_scripts import ConveyorScript
 from rapidsim.controller.moves.executed_move import ExecutedMove
 from rapidsim.diagnostics import Diagnostic, Related
@@ -21,11 +22,15 @@ _MM = 1e3
 
 
 def with_collisions(
-    simulation: Simulation, geometry: CellGeometry, conveyors: Sequence[ConveyorScript]
+    simulation: Simulation,
+    geometry: CellGeometry,
+    conveyors: Sequence[ConveyorScript],
+    hulls: HullStore | None = None,
 ) -> Simulation:
     """Return a run with the contacts and clearances of its bodies."""
-    made = cell_scene(simulation, geometry, conveyors)
-    found = search(made.scene, simulation.motion_end_s, made.bodies)
+    made = cell_scene(simulation, geometry, conveyors, hulls)
+    end_s, has_depths = simulation.motion_end_s, geometry.has_depths
+    found = search(made.scene, end_s, made.bodies, has_depths=has_depths)
     collisions = Collisions(
         geometry, found, made.scene, made.remarks, made.objects, made.parts, made.events
     )

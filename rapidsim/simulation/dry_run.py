@@ -32,6 +32,9 @@ def dry_run(options: RunOptions) -> Iterator[tuple[RunOptions, RunOptions]]:
             "leave the key out, or the option that opens sockets",
         )
     first = again = options
+    if options.geometry is not None:
+        # Of its contacts only the time of the first is needed.
+        first = replace(first, geometry=replace(options.geometry, has_depths=False))
     if options.answers is not None:
         given: list[str | None] = []
         ask = options.answers

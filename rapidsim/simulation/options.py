@@ -6,6 +6,7 @@ from dataclasses import field, replace
 from datetime import datetime
 from pathlib import Path
 from types import MappingProxyType
+from typing import TYPE_CHECKING
 
 from rapidsim.collisions.geometry import CellGeometry
 from rapidsim.controller.cell.description import CellIo
@@ -18,6 +19,9 @@ from rapidsim.motion.model import MotionModel
 from rapidsim.motion.robot.external_axes import ExternalAxis
 from rapidsim.motion.robot.robot import Robot
 from rapidsim.values import value_class
+
+if TYPE_CHECKING:
+    from rapidsim.collisions.outer_hull import HullStore
 
 
 @value_class(frozen=True, slots=True)
@@ -53,6 +57,8 @@ class RunOptions:
     """The folder for RAMDISK:; None for one in the home folder."""
     geometry: CellGeometry | None = None
     """Bodies of the cell; None for no collision check."""
+    hulls: HullStore | None = None
+    """Bodies around large meshes that earlier runs computed; None to compute them anew."""
     network: Network | None = None
     """Network access of sockets; None limits them to the station's scripts."""
     configured: Configured = field(default_factory=lambda: MappingProxyType({}))

@@ -73,7 +73,8 @@ def build_result(
         # Few cells have bodies; the collision check is imported for those only.
         from rapidsim.simulation.collisions import with_collisions  # noqa: PLC0415
 
-        simulation = with_collisions(simulation, options.geometry, options.io.conveyors)
+        conveyors, hulls = options.io.conveyors, options.hulls
+        simulation = with_collisions(simulation, options.geometry, conveyors, hulls)
     return FinishedRun(
         simulation,
         {

@@ -14,7 +14,9 @@ from laws import cases
 from rapidsim import load_robot
 from rapidsim.collisions import shape
 from rapidsim.collisions.along_motion import search
+from rapidsim.collisions.body_distance import Bodies, Gaps
 from rapidsim.collisions.contact import BodyName
+from rapidsim.collisions.convex import Index
 from rapidsim.collisions.scene import (
     STEP_S,
     WORLD,
@@ -103,3 +105,50 @@ def test_the_nearest_of_each_move_is_what_looking_all_the_time_finds(
             (known,) = [one for one in found.clearances if one.move == move]
             exact = accuracy * max(5e-4, 0.02 * nearest[move])
             assert known.distance_m == pytest.approx(nearest[move], abs=exact + 1e-3)
+
+
+def test_a_contact_leaves_the_others_of_its_move_as_cheap_as_alone(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """A move hits a sheet, then passes through a ring: that is not tried at every instant."""
+    measured = 0
+    gaps = Bodies.gaps
+
+    def counted(
+        self: Bodies,
+        first: Index,
+        second: Index,
+        seen: Transform,
+        enough: Array,
+        *tolerances: Array | float,
+    ) -> Gaps:
+        nonlocal measured
+        measured += len(first)
+        return gaps(self, first, second, seen, enough, *tolerances)  # type: ignore[arg-type]
+
+    monkeypatch.setattr(Bodies, "gaps", counted)
+    along = np.array([1.0, 0.0, 0.0, 0.0, 0.0, 0.0])
+    at, lasts = swing(ROBOT, 0.0 * along, along)
+    early, late = (ROBOT.kinematics.forward(turn * along) for turn in (0.3, 0.8))
+    upright = late.rotation @ Transform.from_quaternion([1, 1, 0, 0], [0, 0, 0]).rotation
+    shapes = {
+        "tip": (shape.box(np.full(3, 0.04)), FLANGE, Transform.identity()),
+        "sheet": (shape.box(np.full(3, 0.02)), WORLD, early),
+        "ring": (
+            shape.of_mesh(ring(600), Filling.SURFACE),
+            WORLD,
+            Transform(upright, late.translation),
+        ),
+    }
+    bodies = tuple(
+        Body(BodyName(name), body, (AttachedBody(0.0, frame, pose),))
+        for name, (body, frame, pose) in shapes.items()
+    )
+    pairs = tuple(Pair(0, other, 0, touch_only=False) for other in (1, 2))
+    arm = Arm(ROBOT, Transform.identity(), at, ((0.0, lasts),))
+    scene = Scene((arm,), bodies, pairs)
+    (contact,) = search(scene, lasts).contacts
+    assert contact.second.name == "sheet"
+    assert measured < 100
+    (shallow,) = search(scene, lasts, has_depths=False).contacts
+    assert (shallow.time_s, shallow.depth_m) == (contact.time_s, None)

@@ -12,8 +12,11 @@ from command_line import call
 
 import rapidsim
 from rapidsim.api.schemas import json_schema
+from rapidsim.collisions.geometry import CellGeometry
 from rapidsim.colours import DARK
 from rapidsim.plots import write
+from rapidsim.simulation.dry_run import dry_run
+from rapidsim.simulation.options import RunOptions
 
 DOWN = "    MoveL Offs(over,0,0,{0}),v200,fine,tool0;"
 
@@ -235,6 +238,15 @@ def test_a_contact_ends_the_run_where_the_station_says_so(tmp_path: Path) -> Non
     assert stops["diagnostics"][0]["message"].endswith("deep when the arm has braked")
     assert not stops["events"]
     assert codes(stops) == ["C101"]
+
+
+def test_the_dry_run_measures_no_depths() -> None:
+    options = RunOptions(geometry=CellGeometry(stops=True))
+    with dry_run(options) as (rehearsal, again):
+        assert again.geometry is not None
+        assert again.geometry.has_depths
+        assert rehearsal.geometry is not None
+        assert not rehearsal.geometry.has_depths
 
 
 AT_REST = """

@@ -5,11 +5,16 @@ from __future__ import annotations
 import numpy as np
 import pytest
 from castings import compared, ring
+from collision_truths import random_poses
 from laws import cases
 
 from rapidsim.collisions import shape
+from rapidsim.collisions.body_distance import Bodies
+from rapidsim.collisions.convex import ConvexParts
+from rapidsim.collisions.distance import distances
 from rapidsim.collisions.meshes.triangles import Triangles, hollowness
 from rapidsim.collisions.outer_hull import outer_hull
+from rapidsim.collisions.overlap import depths
 from rapidsim.collisions.shape import Filling
 from rapidsim.frames.transform import Transform
 
@@ -47,6 +52,30 @@ def test_the_body_around_a_shape_contains_it_and_little_more() -> None:
     assert (bound >= reach).all()
     assert (bound - reach).max() < 5e-4
     assert len(around.points) <= 2000
+
+
+def test_the_depth_of_surfaces_is_that_of_their_deepest_triangles() -> None:
+    """Trees and planes leave out only triangles that are less deep: here each pair is tried."""
+    surface = shape.of_mesh(ring(120), Filling.SURFACE)
+    count, apart = len(surface.triangles), random_poses(np.random.default_rng(3), cases(6), 0.2)
+    shifts = np.arange(3.0)[None, :, None] * np.array([0.001, 0.002, 0.0])
+    poses = Transform(
+        np.repeat(apart.rotation, 3, axis=0), (apart.translation[:, None] + shifts).reshape(-1, 3)
+    )
+    parts = ConvexParts([], surface.triangles)
+    first, second = (one.reshape(-1) for one in np.indices((count, count)))
+    row = np.zeros(len(poses), dtype=np.int64)
+    found = Bodies([surface, surface]).depths(row, row + 1, poses, exact=False)
+    assert (found > 0.0).sum() > len(found) // 2
+    for number, deepest in enumerate(found.tolist()):
+        pose = poses[number]
+        every = Transform(
+            np.broadcast_to(pose.rotation, (count**2, 3, 3)),
+            np.broadcast_to(pose.translation, (count**2, 3)),
+        )
+        over = np.isneginf(distances(parts, first, second, every, 0.0).distances_found)
+        deep, _ = depths(parts, first[over], second[over], every[over])
+        assert deepest == deep.max(initial=0.0)
 
 
 def test_a_body_moved_is_where_its_triangles_are() -> None:

@@ -14,7 +14,9 @@ from rapidsim.cli.interrupted import limited_to
 from rapidsim.cli.options.declared import argument, option, options_of, shared
 from rapidsim.cli.options.job_options import (
     assume_missing_option,
+    hulls_of_earlier_runs,
     job_of,
+    no_cache_option,
     open_quietly,
     strict_option,
 )
@@ -125,12 +127,7 @@ class CheckOptions:
         show_default=True,
         help="Number of parallel processes, for programs and tasks; auto is one for each core.",
     )
-    no_cache: bool = option(
-        "--no-cache",
-        is_flag=True,
-        envvar="RAPIDSIM_NO_CACHE",
-        help="Neither use nor store cached results.",
-    )
+    no_cache: bool = shared(no_cache_option)
     no_merge: bool = option("--no-merge", is_flag=True, help="Show repeated findings one by one.")
     fail_on: str | None = option(
         "--fail-on",
@@ -188,6 +185,7 @@ def _request(options: CheckOptions) -> RunRequest:
         select=_listed(options.select),
         extend_select=_listed(options.extend_select),
         ignore=_listed(options.ignore),
+        hulls=hulls_of_earlier_runs(uses_cache=not options.no_cache),
         reach=not options.no_reach,
         trial_run=not options.no_run,
         max_wall_s=options.max_wall,

@@ -16,12 +16,15 @@ from rapidsim.cli.options.numbers import POSITIVE
 from rapidsim.cli.options.poses import scale_option
 from rapidsim.cli.terminal import echo
 from rapidsim.files import InputError
+from rapidsim.jobs.cache.number_store import NumberStore
+from rapidsim.jobs.cache.result_store import store_of_user
 from rapidsim.jobs.inputs.job import Job, OpenRobot, job
 from rapidsim.jobs.inputs.run_request import RunRequest
 from rapidsim.station.station import Station
 from rapidsim.values import value_class
 
 if TYPE_CHECKING:
+    from rapidsim.collisions.outer_hull import HullStore
     from rapidsim.controller.cell.network import Network
     from rapidsim.motion.robot.robot import Robot
 
@@ -32,6 +35,13 @@ assume_missing_option = click.option(
 )
 strict_option = click.option(
     "--strict", is_flag=True, help="Also fail on anything unknown, not simulated or not checked."
+)
+
+no_cache_option = click.option(
+    "--no-cache",
+    is_flag=True,
+    envvar="RAPIDSIM_NO_CACHE",
+    help="Neither use nor store cached results.",
 )
 
 
@@ -103,6 +113,7 @@ class InputOptions:
         show_default=True,
         help="How many times the procedure runs.",
     )
+    no_cache: bool = shared(no_cache_option)
 
 
 def program_options(command: Command) -> Command:
@@ -134,6 +145,7 @@ def _request(program: ProgramOptions, inputs: InputOptions) -> RunRequest:
         answers=answers_from(inputs.answers),
         answers_are_typed=inputs.answers is None,
         home=inputs.home,
+        hulls=hulls_of_earlier_runs(uses_cache=not inputs.no_cache),
         network=_network(inputs.network_hosts) if inputs.allow_network else None,
         assume_missing=inputs.assume_missing,
         strict=inputs.strict,
@@ -142,6 +154,12 @@ def _request(program: ProgramOptions, inputs: InputOptions) -> RunRequest:
         max_wall_s=inputs.max_wall,
         max_cycles=inputs.cycles,
     )
+
+
+def hulls_of_earlier_runs(*, uses_cache: bool) -> HullStore | None:
+    """Return the user's store of bodies around meshes; None if it is not used, or not there."""
+    store = store_of_user() if uses_cache else None
+    return None if store is None else NumberStore(store)
 
 
 def job_of(request: RunRequest, *, open_robot: OpenRobot | None = None) -> Job:

@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-import os
 from collections.abc import Sequence
 
 from rapidsim.cli.interrupted import report_if_interrupted
 from rapidsim.cli.terminal import echo
 from rapidsim.cli.tools.watch_mode import watched_tasks
 from rapidsim.jobs.cache.result_cache import ResultCache
-from rapidsim.jobs.cache.result_store import ResultStore, cache_folder
+from rapidsim.jobs.cache.result_store import store_of_user
 from rapidsim.jobs.checking.batch_check import check_jobs
 from rapidsim.jobs.checking.check_result import CheckResult
 from rapidsim.jobs.inputs.job import Job
@@ -23,7 +22,7 @@ def checked_jobs(jobs: Sequence[Job], processes: int, *, uses_cache: bool) -> li
         processes: How many at a time.
         uses_cache: Whether results of earlier checks are used, and these kept.
     """
-    kept = ResultCache(_store() if uses_cache else None)
+    kept = ResultCache(store_of_user() if uses_cache else None)
     done = 0
 
     def so_far() -> str:
@@ -40,11 +39,3 @@ def checked_jobs(jobs: Sequence[Job], processes: int, *, uses_cache: bool) -> li
         echo(f"note: {notice}", err=True)
     kept.tidy()
     return results
-
-
-def _store() -> ResultStore | None:
-    """Folder of this user's cached results; None for a user without a home."""
-    try:
-        return ResultStore(cache_folder(os.environ))
-    except RuntimeError:
-        return None

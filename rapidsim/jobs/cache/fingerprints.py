@@ -110,6 +110,13 @@ def of_installation(stamps: Stamps | None = None) -> str:
     return fingerprint(content, sys.version, sysconfig.get_platform(), _packages())
 
 
+@cache
+def of_folder(folder: Path) -> str:
+    """Return the fingerprint of the names and contents of all files below a folder."""
+    files = _files(os.fspath(folder))
+    return fingerprint([(entry.name, Path(entry.path).read_bytes()) for entry in files])
+
+
 def _folders() -> tuple[Path, ...]:
     return (Path(__file__).parents[1], *map(shipped, _SHIPPED))
 

@@ -25,6 +25,7 @@ def run_options(job: Job) -> RunOptions:
         max_time_s=asked.max_time_s,
         max_wall_s=asked.max_wall_s,
         geometry=station.geometry,
+        hulls=asked.hulls if asked.cell is None else asked.cell.hulls,
         max_cycles=asked.max_cycles,
         entry=asked.entry,
     )

@@ -11,6 +11,7 @@ from rapidsim.values import value_class
 if TYPE_CHECKING:
     from datetime import datetime
 
+    from rapidsim.collisions.outer_hull import HullStore
     from rapidsim.controller.cell.inputs import Answers
     from rapidsim.controller.cell.network import Network
     from rapidsim.motion.robot.robot import Robot
@@ -52,6 +53,8 @@ class RunRequest:
     ramdisk: str | None = None
     """The folder for RAMDISK:; None for one in the home folder."""
     network: Network | None = None
+    hulls: HullStore | None = None
+    """Bodies around meshes that earlier runs computed; None to compute them anew."""
     starts_at: datetime | None = None
     max_time_s: float = 3600.0
     max_wall_s: float | None = None
