@@ -1,7 +1,13 @@
 """Cache of plans for blocks that a robot travels repeatedly.
 
 A cycle that repeats exactly has the same path with the same timing: only the time at which it
-begins is new.
+begins is new. A robot that is stopped anywhere, again and again, has plans that nothing repeats. So
+there are two parts, each of which discards the plan whose use is longest ago: a small one for plans
+that were requested once, and one for those that were requested again. A plan that was discarded
+from the first belongs to the second as soon as it is made anew: of its block a hash was stored.
+
+Source: T. Johnson, D. Shasha, "2Q: A low overhead high performance buffer management replacement
+algorithm", VLDB 1994.
 """
 
 from __future__ import annotations
@@ -9,23 +15,66 @@ from __future__ import annotations
 import operator
 from collections.abc import Callable, Hashable, Sequence
 from dataclasses import dataclass, field, fields
+from typing import Final, TypeAlias
 
 from rapidsim.frames.transform import Transform
 from rapidsim.motion.geometry.segments import Segment, Waypoint
 from rapidsim.motion.path.path import Path
 from rapidsim.motion.timing.time_scaling import TimeScaling
 
-_MOST_BLOCKS = 1_000
-"""A pallet has hundreds. A run keeps their plans in any case; a served controller does not."""
 _MOST_SEGMENTS = 200
 """Longer blocks are not cached: cycles rarely repeat them, and they take memory."""
+_OF_PLAN: Final = 4
+"""Memory of a plan without its segments, in that of a segment, which is 4 KB."""
+_MOST_ONCE: Final = 1_500
+"""Memory of plans that were requested once: some 250 blocks."""
+_MOST_REPEATED: Final = 6_000
+"""Memory of the others: a pallet has hundreds of blocks."""
+_MOST_HASHES: Final = 10_000
+
+Plan: TypeAlias = tuple[Path, TimeScaling]
+
+
+@dataclass(slots=True)
+class _Plans:
+    """Plans by their blocks, the one used last at the end."""
+
+    most: int
+    """Memory that they may take, in that of a segment."""
+    _plans: dict[Hashable, Plan] = field(default_factory=dict)
+    _size: int = 0
+
+    def take(self, key: Hashable) -> Plan | None:
+        """Remove and return a plan; None if it is not here."""
+        plan = self._plans.pop(key, None)
+        if plan is not None:
+            self._size -= _size_of(plan)
+        return plan
+
+    def put(self, key: Hashable, plan: Plan) -> list[Hashable]:
+        """Add a plan; return the blocks whose plans it has displaced."""
+        self._plans[key] = plan
+        self._size += _size_of(plan)
+        displaced = []
+        while self._size > self.most:
+            oldest = next(iter(self._plans))
+            self.take(oldest)
+            displaced.append(oldest)
+        return displaced
+
+
+def _size_of(plan: Plan) -> int:
+    return _OF_PLAN + sum(len(part.segments) for part in plan[0].parts)
 
 
 @dataclass(slots=True, eq=False)
 class PlanCache:
-    """The plans of the most recent blocks of one or more robots."""
+    """The plans of blocks of one or more robots."""
 
-    _plans: dict[Hashable, tuple[Path, TimeScaling]] = field(default_factory=dict)
+    _once: _Plans = field(default_factory=lambda: _Plans(_MOST_ONCE))
+    _repeated: _Plans = field(default_factory=lambda: _Plans(_MOST_REPEATED))
+    _discarded: dict[int, None] = field(default_factory=dict)
+    """Hashes of blocks that were planned once, and whose plans are discarded."""
     _last: tuple[Hashable, Path, TimeScaling] | None = None
     """The last plan, with its start."""
 
@@ -33,8 +82,8 @@ class PlanCache:
         self,
         rows: Sequence[Sequence[Segment]],
         start: Hashable,
-        make: Callable[[], tuple[Path, TimeScaling]],
-    ) -> tuple[Path, TimeScaling]:
+        make: Callable[[], Plan],
+    ) -> Plan:
         """Return the plan of a block, from the cache if possible.
 
         Args:
@@ -49,20 +98,26 @@ class PlanCache:
             if _is_of(path, rows):
                 return path, timing
         key = (start, *(_values(segment) for row in rows for segment in row))
-        known = self._plans.pop(key, None)
+        known = self._repeated.take(key) or self._once.take(key)
         if known is not None:
-            # Moved to the end: the plan used last is discarded last.
-            self._plans[key] = known
+            self._repeated.put(key, known)
             return known
         path, timing = make()
         if _is_of(path, rows):
             # Otherwise a move was changed to what can be made: that must be found and reported each
             # time.
-            self._plans[key] = path, timing
+            self._add(key, (path, timing))
             self._last = start, path, timing
-            if len(self._plans) > _MOST_BLOCKS:
-                del self._plans[next(iter(self._plans))]
         return path, timing
+
+    def _add(self, key: Hashable, plan: Plan) -> None:
+        if hash(key) in self._discarded:
+            del self._discarded[hash(key)]
+            self._repeated.put(key, plan)
+            return
+        self._discarded.update((hash(one), None) for one in self._once.put(key, plan))
+        while len(self._discarded) > _MOST_HASHES:
+            del self._discarded[next(iter(self._discarded))]
 
 
 def _is_of(path: Path, rows: Sequence[Sequence[Segment]]) -> bool:
