@@ -2,9 +2,9 @@
 
 A cycle that repeats exactly has the same path with the same timing: only the time at which it
 begins is new. A robot that is stopped anywhere, again and again, has plans that nothing repeats. So
-there are two parts, each of which discards the plan whose use is longest ago: a small one for plans
-that were requested once, and one for those that were requested again. A plan that was discarded
-from the first belongs to the second as soon as it is made anew: of its block a hash was stored.
+there are two parts: a small one for new plans, and one for those that were needed again after they
+had been discarded from the first: of their blocks hashes were stored. Requests shortly after each
+other, before and after a stop, say nothing about a cycle.
 
 Source: T. Johnson, D. Shasha, "2Q: A low overhead high performance buffer management replacement
 algorithm", VLDB 1994.
@@ -26,10 +26,10 @@ _MOST_SEGMENTS = 200
 """Longer blocks are not cached: cycles rarely repeat them, and they take memory."""
 _OF_PLAN: Final = 4
 """Memory of a plan without its segments, in that of a segment, which is 4 KB."""
-_MOST_ONCE: Final = 1_500
-"""Memory of plans that were requested once: some 250 blocks."""
+_MOST_NEW: Final = 1_500
+"""Memory of new plans: some 250 blocks."""
 _MOST_REPEATED: Final = 6_000
-"""Memory of the others: a pallet has hundreds of blocks."""
+"""Memory of the plans of a cycle: a pallet has hundreds of blocks."""
 _MOST_HASHES: Final = 10_000
 
 Plan: TypeAlias = tuple[Path, TimeScaling]
@@ -37,19 +37,20 @@ Plan: TypeAlias = tuple[Path, TimeScaling]
 
 @dataclass(slots=True)
 class _Plans:
-    """Plans by their blocks, the one used last at the end."""
+    """Plans by their blocks; the first one is discarded next."""
 
     most: int
     """Memory that they may take, in that of a segment."""
     _plans: dict[Hashable, Plan] = field(default_factory=dict)
     _size: int = 0
 
-    def take(self, key: Hashable) -> Plan | None:
-        """Remove and return a plan; None if it is not here."""
-        plan = self._plans.pop(key, None)
-        if plan is not None:
-            self._size -= _size_of(plan)
-        return plan
+    def get(self, key: Hashable) -> Plan | None:
+        """Return a plan; None if it is not here."""
+        return self._plans.get(key)
+
+    def refresh(self, key: Hashable) -> None:
+        """Let a plan that is here be discarded last."""
+        self._plans[key] = self._plans.pop(key)
 
     def put(self, key: Hashable, plan: Plan) -> list[Hashable]:
         """Add a plan; return the blocks whose plans it has displaced."""
@@ -58,7 +59,7 @@ class _Plans:
         displaced = []
         while self._size > self.most:
             oldest = next(iter(self._plans))
-            self.take(oldest)
+            self._size -= _size_of(self._plans.pop(oldest))
             displaced.append(oldest)
         return displaced
 
@@ -71,10 +72,10 @@ def _size_of(plan: Plan) -> int:
 class PlanCache:
     """The plans of blocks of one or more robots."""
 
-    _once: _Plans = field(default_factory=lambda: _Plans(_MOST_ONCE))
+    _new: _Plans = field(default_factory=lambda: _Plans(_MOST_NEW))
     _repeated: _Plans = field(default_factory=lambda: _Plans(_MOST_REPEATED))
     _discarded: dict[int, None] = field(default_factory=dict)
-    """Hashes of blocks that were planned once, and whose plans are discarded."""
+    """Hashes of blocks whose new plans were discarded."""
     _last: tuple[Hashable, Path, TimeScaling] | None = None
     """The last plan, with its start."""
 
@@ -98,9 +99,10 @@ class PlanCache:
             if _is_of(path, rows):
                 return path, timing
         key = (start, *(_values(segment) for row in rows for segment in row))
-        known = self._repeated.take(key) or self._once.take(key)
-        if known is not None:
-            self._repeated.put(key, known)
+        if (new := self._new.get(key)) is not None:
+            return new
+        if (known := self._repeated.get(key)) is not None:
+            self._repeated.refresh(key)
             return known
         path, timing = make()
         if _is_of(path, rows):
@@ -115,7 +117,7 @@ class PlanCache:
             del self._discarded[hash(key)]
             self._repeated.put(key, plan)
             return
-        self._discarded.update((hash(one), None) for one in self._once.put(key, plan))
+        self._discarded.update((hash(one), None) for one in self._new.put(key, plan))
         while len(self._discarded) > _MOST_HASHES:
             del self._discarded[next(iter(self._discarded))]
 
