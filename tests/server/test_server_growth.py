@@ -190,7 +190,7 @@ def client(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Client]:
     with pytest.MonkeyPatch.context() as patch:
         # What is kept for later is full soon.
         patch.setattr(plan_cache, "_MOST_NEW", 30)
-        patch.setattr(plan_cache, "_MOST_REPEATED", 30)
+        patch.setattr(plan_cache, "_MOST", 30)
         patch.setattr(plan_cache, "_MOST_HASHES", 30)
         patch.setattr(resolve, "_MOST_REPEATS", 1)
         patch.setattr(event_log, "MOST_ENTRIES", 5)

@@ -26,10 +26,11 @@ _MOST_SEGMENTS = 200
 """Longer blocks are not cached: cycles rarely repeat them, and they take memory."""
 _OF_PLAN: Final = 4
 """Memory of a plan without its segments, in that of a segment, which is 4 KB."""
+_MOST: Final = 6_000
+"""Memory of each part: a pallet has hundreds of blocks."""
 _MOST_NEW: Final = 1_500
-"""Memory of new plans: some 250 blocks."""
-_MOST_REPEATED: Final = 6_000
-"""Memory of the plans of a cycle: a pallet has hundreds of blocks."""
+"""Memory of the new plans of a controller that stays on, some 250 blocks; a run keeps its plans in
+any case."""
 _MOST_HASHES: Final = 10_000
 
 Plan: TypeAlias = tuple[Path, TimeScaling]
@@ -39,8 +40,6 @@ Plan: TypeAlias = tuple[Path, TimeScaling]
 class _Plans:
     """Plans by their blocks; the first one is discarded next."""
 
-    most: int
-    """Memory that they may take, in that of a segment."""
     _plans: dict[Hashable, Plan] = field(default_factory=dict)
     _size: int = 0
 
@@ -56,8 +55,12 @@ class _Plans:
         """Add a plan; return the blocks whose plans it has displaced."""
         self._plans[key] = plan
         self._size += _size_of(plan)
+        return self.trim(_MOST)
+
+    def trim(self, most: int) -> list[Hashable]:
+        """Discard plans that take more memory; return their blocks."""
         displaced = []
-        while self._size > self.most:
+        while self._size > most:
             oldest = next(iter(self._plans))
             self._size -= _size_of(self._plans.pop(oldest))
             displaced.append(oldest)
@@ -72,8 +75,8 @@ def _size_of(plan: Plan) -> int:
 class PlanCache:
     """The plans of blocks of one or more robots."""
 
-    _new: _Plans = field(default_factory=lambda: _Plans(_MOST_NEW))
-    _repeated: _Plans = field(default_factory=lambda: _Plans(_MOST_REPEATED))
+    _new: _Plans = field(default_factory=_Plans)
+    _repeated: _Plans = field(default_factory=_Plans)
     _discarded: dict[int, None] = field(default_factory=dict)
     """Hashes of blocks whose new plans were discarded."""
     _last: tuple[Hashable, Path, TimeScaling] | None = None
@@ -117,7 +120,14 @@ class PlanCache:
             del self._discarded[hash(key)]
             self._repeated.put(key, plan)
             return
-        self._discarded.update((hash(one), None) for one in self._new.put(key, plan))
+        self._note(self._new.put(key, plan))
+
+    def forget(self) -> None:
+        """Discard most of the new plans, as a controller that stays on does."""
+        self._note(self._new.trim(_MOST_NEW))
+
+    def _note(self, discarded: Sequence[Hashable]) -> None:
+        self._discarded.update((hash(one), None) for one in discarded)
         while len(self._discarded) > _MOST_HASHES:
             del self._discarded[next(iter(self._discarded))]
 
