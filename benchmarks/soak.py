@@ -9,6 +9,9 @@ Meanwhile this script looks at the memory of the controller's processes, at what
 error, and at whether each file that was uploaded is one of those that somebody sent whole. At the
 end it is killed in the midst of uploads, and the files must still be whole. It ends with 1 where
 anything was not so.
+
+Memory is judged by thirds of the time. In the first one caches fill; the mean of a process in the
+last one must not be more than 3 MB above that in the second, which allows 12 MB in an hour.
 """
 
 from __future__ import annotations
@@ -28,6 +31,7 @@ import time
 from base64 import b64encode
 from collections.abc import Awaitable, Callable
 from pathlib import Path
+from statistics import fmean
 
 import aiohttp
 
@@ -49,6 +53,8 @@ ENDMODULE
 STATION = '[signals]\ndiGo = { type = "di" }\ndoOut = { type = "do" }\n'
 USER = ("Default User", "robotics")
 PAGE_BYTES = 4096
+ROLES = ("engine", "guide")
+"""Processes of a controller beside its frontend, in the order in which they begin."""
 
 
 def text_of(number: int) -> bytes:
@@ -72,6 +78,7 @@ class Soak:
         self.base = f"http://127.0.0.1:{port}"
         self.counts: dict[str, int] = {}
         self.faults: list[str] = []
+        self.memory: list[dict[str, float]] = []
 
     def note(self, what: str) -> None:
         """Count something."""
@@ -307,25 +314,54 @@ async def saboteur(soak: Soak, dice: random.Random) -> None:
             await asyncio.sleep(dice.uniform(0.5, 3.0))
 
 
-def memory_mb(pid: int) -> list[float]:
-    """Resident memory of a process and its children, the greatest first."""
-    found = []
+MOST_GROWTH_MB = 3.0
+LOOKS_S = 5.0
+
+
+def memory_mb(pid: int) -> dict[str, float]:
+    """Resident memory of a served controller: its frontend, its engine, the guide of sensors."""
+    found = {}
     for status in Path("/proc").glob("[0-9]*/status"):
         with contextlib.suppress(OSError):
-            text = status.read_text()
-            if re.search(rf"^(Pid|PPid):\s+{pid}$", text, re.M):
+            text, command = status.read_text(), status.with_name("cmdline").read_text()
+            # Python's own process that tidies up after others does not count.
+            is_own = re.search(rf"^(Pid|PPid):\s+{pid}$", text, re.M) is not None
+            if is_own and "resource_tracker" not in command:
                 pages = int(status.with_name("statm").read_text().split()[1])
-                found.append(pages * PAGE_BYTES / 2**20)
-    return sorted(found, reverse=True)
+                found[int(status.parent.name)] = pages * PAGE_BYTES / 2**20
+    names = {pid: "frontend"} | dict(zip(sorted(found.keys() - {pid}), ROLES, strict=False))
+    return {names[one]: megabytes for one, megabytes in found.items() if one in names}
 
 
 async def watch(soak: Soak, pid: int) -> None:
-    """Tell every minute how it goes."""
-    began = time.monotonic()
+    """Look at the memory, and tell every minute how it goes."""
+    began = told = time.monotonic()
     while soak.goes_on():
-        megabytes = ", ".join(f"{one:.1f}" for one in memory_mb(pid))
-        print(f"{time.monotonic() - began:7.0f} s  {megabytes} MB  {soak.counts}", flush=True)
-        await asyncio.sleep(min(60.0, max(1.0, soak.until - time.monotonic())))
+        now_s, megabytes = time.monotonic(), memory_mb(pid)
+        soak.memory.append(megabytes)
+        if now_s >= told:
+            told += 60.0
+            shown = ", ".join(f"{name} {one:.1f}" for name, one in megabytes.items())
+            print(f"{now_s - began:7.0f} s  {shown} MB  {soak.counts}", flush=True)
+        await asyncio.sleep(min(LOOKS_S, max(1.0, soak.until - now_s)))
+
+
+def judged(memory: list[dict[str, float]]) -> tuple[list[str], list[str]]:
+    """What there is to say of the memory of processes, and of those that have grown."""
+    told, grown = [], []
+    third = len(memory) // 3
+    if not third:
+        return ["too short to judge memory"], []
+    for name in memory[0]:
+        course = [one[name] for one in memory if name in one]
+        warm, last = (fmean(part) for part in (course[third:-third], course[-third:]))
+        told.append(
+            f"{name}: {course[0]:.1f} MB at first, {max(course):.1f} at most; means of the thirds "
+            f"{fmean(course[:third]):.1f}, {warm:.1f}, {last:.1f}"
+        )
+        if last - warm > MOST_GROWTH_MB:
+            grown.append(f"the {name} has grown by {last - warm:.1f} MB after its caches were full")
+    return told, grown
 
 
 async def soaked(folder: Path, minutes: float, speed: str, seed: int) -> list[str]:
@@ -356,6 +392,8 @@ async def soaked(folder: Path, minutes: float, speed: str, seed: int) -> list[st
     ]
     results = await asyncio.gather(*workers, watch(soak, ready["pid"]), return_exceptions=True)
     faults = soak.faults + [repr(one) for one in results if isinstance(one, BaseException)]
+    told, grown = judged(soak.memory)
+    faults += grown
     if process.returncode is not None:
         faults.append(f"the controller has ended with {process.returncode}")
     # Killed in the midst of uploads.
@@ -375,7 +413,7 @@ async def soaked(folder: Path, minutes: float, speed: str, seed: int) -> list[st
     if "defect" in said or "Traceback" in said:
         faults.append(said[-5000:])
     journal = (folder / "journal.jsonl").stat().st_size / 2**20
-    print(f"journal {journal:.1f} MB; {soak.counts}")
+    print("\n".join((f"journal {journal:.1f} MB; {soak.counts}", *told)))
     return faults
 
 

@@ -17,11 +17,22 @@ from rapidsim.pytest_plugin import ServedController
 PROGRAM = "MODULE job\nPROC main()\nWaitTime 1;\nENDPROC\nENDMODULE\n"
 
 
+def opener(address: str, name: str, password: str) -> urllib.request.OpenerDirector:
+    """Opens pages as somebody."""
+    passwords = urllib.request.HTTPPasswordMgrWithDefaultRealm()
+    passwords.add_password(None, address, name, password)
+    return urllib.request.build_opener(urllib.request.HTTPDigestAuthHandler(passwords))
+
+
 @pytest.mark.process
 @pytest.mark.skipif(sys.platform == "win32", reason="ends it by a signal")
 def test_it_says_where_it_listens_and_ends_when_told(
-    tmp_path: Path, controller: Callable[..., ServedController]
+    tmp_path: Path,
+    controller: Callable[..., ServedController],
+    monkeypatch: pytest.MonkeyPatch,
 ) -> None:
+    # Who names logins wants no others: an image has the default one in this variable.
+    monkeypatch.setenv("RAPIDSIM_USERS", "Default User:robotics")
     (tmp_path / "job.mod").write_text(PROGRAM)
     (tmp_path / "ram").mkdir()
     journal = tmp_path / "a.jsonl"
@@ -37,11 +48,10 @@ def test_it_says_where_it_listens_and_ends_when_told(
         urllib.request.urlopen(f"{served.rws1}/rw/system", timeout=60)
     assert refused.value.code == 401
     refused.value.close()
-    passwords = urllib.request.HTTPPasswordMgrWithDefaultRealm()
-    passwords.add_password(None, served.rws1, "Somebody", "secret")
-    digest = urllib.request.HTTPDigestAuthHandler(passwords)
-    with urllib.request.build_opener(digest).open(f"{served.rws1}/rw/system", timeout=60) as page:
+    with opener(served.rws1, "Somebody", "secret").open(f"{served.rws1}/rw/system") as page:
         assert b"6.16.2027" in page.read()
+    with pytest.raises((ValueError, urllib.error.HTTPError)):
+        opener(served.rws1, "Default User", "robotics").open(f"{served.rws1}/rw/system")
     with pytest.raises(ValueError, match="earthquake"):
         served.fail("earthquake")
     served.fail("drop", count=1)
@@ -59,9 +69,13 @@ def test_it_says_where_it_listens_and_ends_when_told(
 
 def test_a_program_with_errors_is_not_served(tmp_path: Path) -> None:
     (tmp_path / "bad.mod").write_text(PROGRAM.replace("WaitTime 1", "WaitTime nothing"))
-    done = call("serve", "bad.mod", "--rws1-port", "0", "--rws2-port", "off", cwd=tmp_path)
+    # Of a server that was killed; a health check would believe it while this one starts.
+    (ready := tmp_path / "ready.json").write_text("{}")
+    ports = ("--rws1-port", "0", "--rws2-port", "off")
+    done = call("serve", "bad.mod", *ports, "--ready-file", ready, cwd=tmp_path)
     assert (done.code, done.out) == (1, "")
     assert "N201" in done.err
+    assert not ready.exists()
 
 
 def test_a_port_that_is_taken_is_told(tmp_path: Path) -> None:

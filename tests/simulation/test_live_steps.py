@@ -3,11 +3,17 @@
 from __future__ import annotations
 
 import sys
+from types import FrameType
 
 import pytest
 from live_controller import SIGNALS, Live
 
 from rapidsim.controller.cell.description import CellIo
+from rapidsim.interpreter.tools.step_positions import (
+    FramePositions,
+    StepGranularity,
+    StepPosition,
+)
 from rapidsim.simulation.live import signals
 from rapidsim.simulation.live.event_log import STEPPED
 from rapidsim.simulation.live.states import Cycle, ExecutionMode, StopMode
@@ -292,3 +298,41 @@ def test_a_program_halts_at_its_breakpoints_and_goes_on_from_there() -> None:
     live.after(1.0)
     assert live.value("n") == "5"
     assert sys.gettrace() is None
+
+
+DEEP = """MODULE Tried
+PERS num n := 0;
+PROC main()
+  down 60;
+ENDPROC
+PROC down(num left)
+  n := n + 1;
+  IF left > 0 down left - 1;
+  n := n + 1;
+ENDPROC
+ENDMODULE
+"""
+
+
+def test_the_stack_is_counted_once_for_each_step(monkeypatch: pytest.MonkeyPatch) -> None:
+    counted = FramePositions.of
+    passed = StepPosition.ends_step
+    positions, ends = [], []
+
+    def of(self: FramePositions, frame: FrameType) -> StepPosition:
+        positions.append(frame)
+        return counted(self, frame)
+
+    def ends_step(self: StepPosition, start: StepPosition, reach: StepGranularity) -> bool:
+        # Whatever was counted on the way is what there is.
+        assert self == counted(FramePositions(), sys._getframe(3))
+        ends.append(self.depth)
+        return passed(self, start, reach)
+
+    live = Live(DEEP)
+    monkeypatch.setattr(FramePositions, "of", of)
+    monkeypatch.setattr(StepPosition, "ends_step", ends_step)
+    assert stepped(live, OVER) == 4
+    assert len(ends) == 184
+    assert max(ends) == 62
+    assert len(positions) <= 2

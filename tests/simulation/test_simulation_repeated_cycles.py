@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
+from functools import partial
 from pathlib import Path
 from types import SimpleNamespace
 from typing import Any
@@ -12,6 +13,7 @@ import pytest
 
 from rapidsim.controller.moves.executed_move import ExecutedMove
 from rapidsim.controller.moves.resolve import Resolver
+from rapidsim.controller.queue import plan_cache
 from rapidsim.controller.queue.plan_cache import PlanCache
 from rapidsim.jobs.running.run_files import simulate
 from rapidsim.motion.geometry.segments import Segment
@@ -59,26 +61,62 @@ def ran(folder: Path) -> Simulation:
     return simulate([folder / "cycles.mod"], robot="irb1600")
 
 
-def test_the_last_thousand_plans_are_kept_and_no_more() -> None:
+class Requests:
+    """A cache, and the blocks that it lets be planned."""
+
+    def __init__(self, segments: int = 1) -> None:
+        self.cache, self._made = PlanCache(), list[int]()
+        self._row: Any = [SimpleNamespace()] * segments
+
+    def __call__(self, numbers: Iterable[int]) -> list[int]:
+        """Those of some blocks that are planned."""
+        self._made.clear()
+        for number in numbers:
+            self.cache.plan([self._row], number, partial(self._plan, number))
+        return [*self._made]
+
+    def _plan(self, number: int) -> Any:
+        self._made.append(number)
+        return SimpleNamespace(parts=(SimpleNamespace(segments=self._row),)), None
+
+    @property
+    def kept(self) -> int:
+        """The number of plans that there are."""
+        return len(self.cache._new._plans) + len(self.cache._repeated._plans)
+
+
+@pytest.fixture
+def _plain(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(plan_cache, "_values", lambda segment: 0)
+
+
+@pytest.mark.usefixtures("_plain")
+@pytest.mark.parametrize("segments", [1, 150])
+def test_plans_that_nothing_repeats_take_little_memory(segments: int) -> None:
     # A controller that stays on, and whose robot is stopped anywhere, plans new ones for ever.
-    repeats, made = PlanCache(), list[int]()
+    requests = Requests(segments)
+    sizes = []
+    for blocks in (range(12_000), range(12_000, 14_000)):
+        assert requests(blocks) == [*blocks]
+        assert requests.kept * (segments + 4) <= 6000
+        requests.cache.forget()
+        sizes.append((requests.kept, len(requests.cache._discarded)))
+    assert sizes[0] == sizes[1]
+    assert requests.kept * (segments + 4) <= 1500
 
-    def ask(number: int) -> None:
-        def make() -> Any:
-            made.append(number)
-            return SimpleNamespace(parts=(SimpleNamespace(segments=()),)), None
 
-        repeats.plan([()], number, make)
-
-    for number in range(3000):
-        ask(number)
-    assert made == list(range(3000))
-    made.clear()
-    for number in range(2000, 3000):
-        ask(number)
-    assert made == []
-    ask(1999)
-    assert made == [1999]
+@pytest.mark.usefixtures("_plain")
+def test_plans_that_repeat_are_kept_whatever_comes_between() -> None:
+    requests, cycle = Requests(), range(1000)
+    assert requests([*cycle, *cycle]) == [*cycle]
+    requests.cache.forget()
+    assert requests(cycle) == [*range(700)]
+    for number in range(3):
+        requests(range(2000 + 500 * number, 2500 + 500 * number))
+        requests.cache.forget()
+        assert requests(cycle) == ([] if number else [*range(700, 1000)])
+    few = Requests()
+    assert few([*range(200), *range(200)]) == [*range(200)]
 
 
 def test_a_run_that_keeps_plans_is_the_run_that_makes_each(

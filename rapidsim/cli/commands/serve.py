@@ -151,7 +151,7 @@ class ServeOptions:
     user_file: str | None = option(
         "--user-file",
         metavar="FILE",
-        help="Such logins, one per line; also in the environment variable RAPIDSIM_USERS.",
+        help="Such logins, one per line; without any, those of the variable RAPIDSIM_USERS.",
     )
     max_sessions: int = option(
         "--max-sessions",
@@ -241,12 +241,6 @@ def serve(options: ServeOptions) -> int:
     )
     engine_settings = _engine_settings(options)
     server_settings = _server_settings(options, ports)
-    try:
-        engine = started(request, engine_settings, _debug_port(options.debug_port))
-    except ProgramRejectedError as rejected:
-        print_rejected_on_stderr(request, rejected.diagnostics)
-        return ExitCode.FINDINGS
-
     ready_file = None if options.ready_file is None else Path(options.ready_file)
 
     def ready(addresses: Addresses) -> None:
@@ -269,7 +263,13 @@ def serve(options: ServeOptions) -> int:
                 part.write_text(json.dumps(line) + "\n", encoding="utf-8")
         echo(json.dumps(line))
 
+    # A server that was killed has left its file, and to start takes seconds.
     with _removed(ready_file):
+        try:
+            engine = started(request, engine_settings, _debug_port(options.debug_port))
+        except ProgramRejectedError as rejected:
+            print_rejected_on_stderr(request, rejected.diagnostics)
+            return ExitCode.FINDINGS
         ended = serve_engine(engine, server_settings, ready, lambda text: echo(text, err=True))
     if not ended:
         echo("error: the controller's process has ended; please report this", err=True)
@@ -421,15 +421,15 @@ def _origin(url: str) -> str:
 
 
 def _logins(options: ServeOptions) -> tuple[str, ...]:
-    """Return all logins: of the command line, which others can see, of a file, and of a variable.
+    """Return all logins: of the command line, which others can see, and a file, or of a variable.
 
     Raises:
         InputError: If the file cannot be read.
     """
-    texts = [os.environ.get("RAPIDSIM_USERS", "")]
+    text = "" if options.users else os.environ.get("RAPIDSIM_USERS", "")
     if options.user_file is not None:
-        texts.append(input_bytes(Path(options.user_file)).decode("utf-8", "replace"))
-    lines = (line.strip() for text in texts for line in text.splitlines())
+        text = input_bytes(Path(options.user_file)).decode("utf-8", "replace")
+    lines = (line.strip() for line in text.splitlines())
     return (*options.users, *(line for line in lines if line))
 
 

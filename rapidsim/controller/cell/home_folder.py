@@ -192,7 +192,7 @@ class HomeFolder:
         self._written: dict[Path, float] = {}
         """The written files, and the virtual time [s] at which each was last opened to write."""
         self._loaded: dict[Path, float] = {}
-        """For each program file that was read, the time [s] at which it was last written."""
+        """For each program file that was written and read, the time [s] of the last writing."""
         self.disk = DiskLimit()
         self.lacks = False
         """Whether the program has requested a file or folder that does not exist."""
@@ -253,7 +253,9 @@ class HomeFolder:
             raise rapid_error(ERR_IOERROR, f"{path}: {reason}") from None
         if len(data) > most:
             raise rapid_error(ERR_PRGMEMFULL, f"{path} has more than {most:g} bytes")
-        self._loaded[place] = self._written.get(place, 0.0)
+        self._loaded.pop(place, None)
+        if place in self._written:
+            self._loaded[place] = self._written[place]
         for folder in (self._folder, self._ramdisk):
             root = _real(folder)
             if folder is not None and root is not None and place.is_relative_to(root):

@@ -167,7 +167,8 @@ class Journal:
     _lines: list[_Line | _Rows] = field(default_factory=list)
     _settled: list[Sequence[DatedPlace]] = field(default_factory=list)
     """Statements before these, in parts."""
-    _settled_lines: int = 0
+    _more_lines: int = 0
+    """Number of statements so far, less the number of entries of `_lines`."""
     _waits: list[Wait] = field(default_factory=list)
     _diagnostics: list[Diagnostic] = field(default_factory=list)
     _failed_moves: list[FailedMove] = field(default_factory=list)
@@ -190,7 +191,7 @@ class Journal:
     @property
     def noted(self) -> int:
         """The number of events of the cell and statements of this task so far; moves count more."""
-        statements = self._settled_lines + sum(one.size for one in self._lines)
+        statements = len(self._lines) + self._more_lines
         return len(self._events) + statements + ITEMS_OF_A_MOVE * self.moves_given
 
     def undated(self, begin: int) -> tuple[Event, ...]:
@@ -280,6 +281,7 @@ class Journal:
         """Record that the pointer reached statements with announced targets, from a number on."""
         if self.retains_all:
             self._lines.append(_Rows(instants, targets, first))
+            self._more_lines += len(instants) - 1
 
     def settle(self) -> None:
         """Store many statements whose times are known as columns."""
@@ -289,7 +291,7 @@ class Journal:
         size = sum(one.size for one in self._lines[:count])
         if size >= _MANY_LINES:
             self._settled += _parts_of(self._lines[:count])
-            self._settled_lines += size
+            self._more_lines += count
             del self._lines[:count]
 
     def wait(self, wait: Wait) -> None:

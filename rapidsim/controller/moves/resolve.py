@@ -88,7 +88,7 @@ class Resolver:
     _placements: dict[tuple[ToolData, WobjData], targets.Placement | targets.NotSimulatedFrame] = (
         field(default_factory=dict)
     )
-    """Placements computed so far: programs use few tools and work objects."""
+    """Placements computed so far: programs use few tools and work objects, or ever new ones."""
     _repeats: dict[tuple[object, ...], QueuedMove] = field(default_factory=dict)
     """Moves without findings: a cycle repeats them from the same place."""
 
@@ -445,6 +445,8 @@ class Resolver:
             for name, rotation in frame_orientations(tool, wobj, self.robot.external):
                 require_orientation(name, rotation)
             placed = targets.placement(tool, wobj, self.base_from_world, self.robot.external)
+            if len(self._placements) == _MOST_REPEATS:
+                self._placements.clear()
             self._placements[tool, wobj] = placed
         if isinstance(placed, targets.NotSimulatedFrame):
             return placed

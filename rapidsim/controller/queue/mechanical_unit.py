@@ -168,6 +168,7 @@ class MechanicalUnit:
         """
         self.trajectory.forget(before_s)
         self.queue.forget(before_s)
+        self.queue.planner.forget()
         row = self.queue.block.rows[self.number]
         needed = row[0].number if row else len(self.moves)
         self.moves.forget(before_s, needed if keep_from is None else min(needed, keep_from))

@@ -70,6 +70,10 @@ class PathPlanner:
         self._costs = lead.costs
         self._repeats = lead.repeats if len(members) == 1 else PlanCache()
 
+    def forget(self) -> None:
+        """See `PlanCache.forget`."""
+        self._repeats.forget()
+
     def plan(
         self,
         rows: Sequence[Sequence[QueuedMove]],

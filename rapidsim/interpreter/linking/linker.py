@@ -12,6 +12,7 @@ import sys
 from collections.abc import Mapping, Sequence, Set
 from types import CodeType, FrameType, FunctionType
 from typing import Any, cast, overload
+from weakref import finalize, ref
 
 from rapidsim.analysis.literals import Value
 from rapidsim.analysis.program import DataSymbol, Program, RoutineSymbol, Storage
@@ -203,17 +204,36 @@ class LinkedProgram:
 
 
 def show_lines_of(source: Source) -> None:
-    """Make Python's tools print RAPID lines; otherwise they would expect a UTF-8 file."""
+    """Make Python's tools print RAPID lines; otherwise they would expect a UTF-8 file.
+
+    They do so as long as the source is in use.
+    """
+    shown = _shown_lines(source.file)
+    if shown is not None and shown.source() is source:
+        return
     # Python declares a list here, but only reads it.
-    lines = cast("list[str]", _Lines(source))
+    lines = cast("list[str]", _Lines(ref(source)))
     linecache.cache[source.file] = (len(source.text), None, lines, source.file)
+    finalize(source, _hide_lines, source.file)
+
+
+def _shown_lines(file: str) -> _Lines | None:
+    shown = linecache.cache.get(file)
+    lines: object = None if shown is None or len(shown) != 4 else shown[2]
+    return lines if isinstance(lines, _Lines) else None
+
+
+def _hide_lines(file: str) -> None:
+    shown = _shown_lines(file)
+    if shown is not None and shown.source() is None:
+        del linecache.cache[file]
 
 
 class _Lines(Sequence[str]):
     """The lines of a source, each created on demand, because there may be a million."""
 
-    def __init__(self, source: Source) -> None:
-        self._source = source
+    def __init__(self, source: ref[Source]) -> None:
+        self.source = source
 
     @overload
     def __getitem__(self, index: int) -> str: ...
@@ -222,11 +242,16 @@ class _Lines(Sequence[str]):
     def __getitem__(self, index: int | slice) -> str | list[str]:
         numbers = range(1, len(self) + 1)[index]
         if isinstance(numbers, int):
-            return self._source.line(numbers) + "\n"
-        return [self._source.line(number) + "\n" for number in numbers]
+            return self._line(numbers)
+        return [self._line(number) for number in numbers]
+
+    def _line(self, number: int) -> str:
+        source = self.source()
+        return "" if source is None else source.line(number) + "\n"
 
     def __len__(self) -> int:
-        return len(self._source.line_starts)
+        source = self.source()
+        return 0 if source is None else len(source.line_starts)
 
 
 def _compiled(module: TranslatedModule) -> CodeType:

@@ -9,8 +9,9 @@ import dis
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from enum import Enum, auto
-from functools import cache
+from functools import lru_cache
 from types import CodeType, FrameType
+from weakref import WeakKeyDictionary
 
 from rapidsim.analysis.program import RoutineSymbol
 from rapidsim.interpreter.runtime.call_stack import CLAUSES
@@ -102,7 +103,9 @@ class StatementStarts:
 class FramePositions:
     """Positions of frames; the statements of each module are listed once."""
 
-    _places: dict[tree.Module, dict[int, Place]] = field(default_factory=dict)
+    _places: WeakKeyDictionary[tree.Module, dict[int, Place]] = field(
+        default_factory=WeakKeyDictionary
+    )
 
     def places(self, frame: FrameType) -> dict[int, Place]:
         """The first statement on each line of a frame's module."""
@@ -138,7 +141,7 @@ def rapid_frames(frame: FrameType | None) -> Iterator[FrameType]:
         frame = frame.f_back
 
 
-@cache
+@lru_cache(maxsize=128)
 def _loop_starts(code: CodeType) -> frozenset[int]:
     """Instructions to which others jump back."""
     jumps = (one for one in dis.get_instructions(code) if one.opcode in dis.hasjrel)

@@ -53,11 +53,10 @@ class Stepper:
         self._trace()
 
     def _trace(self) -> None:
-        frames = list(rapid_frames(sys._getframe()))
-        self._from = self._positions.of(frames[0]) if frames else None
-        for frame in frames:
-            line = self._positions.line(frame)
-            frame.f_trace = self._tracer(frame, line, frame.f_lasti)
+        self._from = None
+        for frame in reversed(list(rapid_frames(sys._getframe()))):
+            tracer = self._tracer(frame, self._positions.line(frame), frame.f_lasti)
+            frame.f_trace, self._from = tracer.trace, tracer.position
         sys.settrace(self._entered)
 
     def end(self) -> None:
@@ -67,29 +66,32 @@ class Stepper:
 
     def _entered(self, frame: FrameType, event: str, argument: object) -> Any:
         del event, argument
-        return self._tracer(frame) if is_rapid(frame) else None
+        return self._tracer(frame).trace if is_rapid(frame) else None
 
-    def _tracer(self, frame: FrameType, line: int = 0, instruction: int = 0) -> Any:
-        """The trace function of a frame, from its current statement on."""
+    def _tracer(self, frame: FrameType, line: int = 0, instruction: int = 0) -> _FrameTracer:
+        """The tracer of a frame, from its current statement on."""
         starts = StatementStarts(self._positions.places(frame), line, instruction)
+        caller = next(rapid_frames(frame.f_back), None)
+        tracer = None if caller is None else getattr(caller.f_trace, "__self__", None)
+        # From its caller: a deep stack is not counted again for each routine on it.
+        if isinstance(tracer, _FrameTracer):
+            position = self._positions.within(frame, tracer.position)
+        else:
+            position = self._positions.of(frame)
+        return _FrameTracer(self, starts, position)
 
-        def passed(frame: FrameType, event: str, argument: object) -> Any:
-            del argument
-            place = starts.start(frame) if event == "line" else None
-            if place is not None and self._halts_before(place, frame):
-                self.end()
-                # Halting lets time pass, in which other tasks' programs run: without this,
-                # Python would treat them as part of the tracing.
-                sys.call_tracing(self.halt, (place,))
-            return passed
+    def pass_statement(self, place: Place, now: StepPosition) -> None:
+        """Halt the program before a statement if the step ends there."""
+        if self._halts_before(place, now):
+            self.end()
+            # Halting lets time pass, in which other tasks' programs run: without this, Python
+            # would treat them as part of the tracing.
+            sys.call_tracing(self.halt, (place,))
 
-        return passed
-
-    def _halts_before(self, place: Place, frame: FrameType) -> bool:
+    def _halts_before(self, place: Place, now: StepPosition) -> bool:
         """Whether the program halts before a statement."""
         if self._is_break is not None:
             return self._is_break(place)
-        now = self._positions.of(frame)
         if self._from is None:
             self._from = now
             return False
@@ -100,3 +102,19 @@ class Stepper:
         if self._is_enough is None:
             return now.ends_step(start, self._reach)
         return now.ends_step(start, StepGranularity.ANY) and self._is_enough()
+
+
+class _FrameTracer:
+    """The trace function of one frame."""
+
+    __slots__ = ("_starts", "_stepper", "position")
+
+    def __init__(self, stepper: Stepper, starts: StatementStarts, position: StepPosition) -> None:
+        self._stepper, self._starts, self.position = stepper, starts, position
+
+    def trace(self, frame: FrameType, event: str, argument: object) -> Any:
+        del argument
+        place = self._starts.start(frame) if event == "line" else None
+        if place is not None:
+            self._stepper.pass_statement(place, self.position)
+        return self.trace

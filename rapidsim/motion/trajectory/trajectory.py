@@ -169,16 +169,16 @@ class Trajectory:
 
     def forget(self, before_s: float) -> None:
         """Discard data that queries for a time [s] or later do not need."""
-        # Queries for the time of rest refer to the end of the command.
+        # In a time of rest the path is that at the end of the command; sensors may still guide.
         seen_s = min(before_s, self.command_end) - self._windows.widest
         self._windows.forget(seen_s)
         self._ramped.forget(seen_s)
-        self._guided = [one for one in self._guided if one.until_s >= seen_s]
-        self._corrected = [one for one in self._corrected if one.until_s >= seen_s]
+        self._guided = [one for one in self._guided if one.until_s >= before_s]
+        self._corrected = [one for one in self._corrected if one.until_s >= before_s]
         for guided in self._guided:
-            guided.section.forget(seen_s)
+            guided.section.forget(before_s)
         for corrected in self._corrected:
-            corrected.forget(seen_s)
+            corrected.forget(before_s)
 
     def extended(self, piece: Piece) -> Trajectory:
         """Return a copy with one more piece; this trajectory is unchanged."""
