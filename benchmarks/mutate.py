@@ -38,6 +38,7 @@ ROOMS: Mapping[str, tuple[str, ...]] = MappingProxyType(
             "tests/analysis",
             "tests/check",
             "tests/lsp/test_lsp_names.py",
+            "tests/simulation/test_simulation_backup_modules.py",
             "tests/simulation/test_simulation_reach_flow.py",
             "tests/workspace",
         ),
