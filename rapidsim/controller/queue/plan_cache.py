@@ -17,6 +17,8 @@ from collections.abc import Callable, Hashable, Sequence
 from dataclasses import dataclass, field, fields
 from typing import Final, TypeAlias
 
+import numpy as np
+
 from rapidsim.frames.transform import Transform
 from rapidsim.motion.geometry.segments import Segment, Waypoint
 from rapidsim.motion.path.path import Path
@@ -140,7 +142,7 @@ def _is_of(path: Path, rows: Sequence[Sequence[Segment]]) -> bool:
     )
 
 
-_NAMES = ("start", "end", "tcp_from_flange", "via")
+_NAMES = ("start", "end", "tcp_from_flange", "via", "carrier_axes")
 _WITH_ARRAYS = operator.attrgetter(*_NAMES)
 _OTHERS = operator.attrgetter(*(one.name for one in fields(Segment) if one.name not in _NAMES))
 
@@ -157,6 +159,10 @@ def _value(value: object) -> Hashable:
             return joints.tobytes(), _value(pose), external.tobytes(), aimed
         case Transform(rotation=rotation, translation=translation):
             return rotation.tobytes(), translation.tobytes()
+        case np.ndarray():
+            return value.tobytes()
+        case tuple():
+            return tuple(map(_value, value))
         case Hashable():
             # A carrier is compared by identity: it is one object per tool and work object.
             return value
