@@ -164,7 +164,7 @@ def _programmed_steps(moves: MoveColumns, end_s: float) -> tuple[Array, Array]:
     # To where the arm was nothing is drawn; the move after it may have begun already.
     moving = moves.end_s > moves.start_s
     bounds = np.stack([moves.end_s, moves.start_s], axis=-1)[moving].reshape(-1)
-    times = np.array([0.0, *(round(time_s, 9) for time_s in [end_s, *bounds.tolist()])])
+    times = np.concatenate([[0.0], np.round(np.append(end_s, bounds), 9)])
     speeds = np.zeros(len(times))
     speeds[3::2] = moves.speed_mm_s[moving]
     # Of equal times the last counts.

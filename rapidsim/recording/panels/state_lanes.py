@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
+from itertools import islice
 
 import numpy as np
 import rerun as rr
@@ -29,6 +30,9 @@ _STANDSTILL = "at rest"
 _CLEAR = "clear"
 _NO_ERROR = "no error"
 _SHORTEST_STANDSTILL_S = 1e-6
+
+_AT_ONCE = 1 << 14
+"""States that are sent at once, which bounds the memory."""
 
 _States = list[tuple[float, str]]
 
@@ -122,7 +126,7 @@ def log_clearance(stream: rr.RecordingStream, runs: Sequence[RecordedRobot]) -> 
 def _log_lane(
     stream: rr.RecordingStream,
     entity: str,
-    states: _States,
+    states: Iterable[tuple[float, str]],
     colours: Mapping[str, palette.Colour],
     clock: Clock,
 ) -> None:
@@ -135,16 +139,18 @@ def _log_lane(
         ),
         static=True,
     )
-    stream.send_columns(
-        entity,
-        indexes=clock.columns([time_s for time_s, _ in states]),
-        columns=rr.StateChange.columns(state=[state for _, state in states]),
-    )
+    remaining = iter(states)
+    while block := list(islice(remaining, _AT_ONCE)):
+        stream.send_columns(
+            entity,
+            indexes=clock.columns([time_s for time_s, _ in block]),
+            columns=rr.StateChange.columns(state=[state for _, state in block]),
+        )
 
 
 def _move_states(
     moves: ExecutedMoves,
-) -> tuple[_States, dict[str, palette.Colour]]:
+) -> tuple[Iterable[tuple[float, str]], dict[str, palette.Colour]]:
     """Return the move lane: moves, and rest in between."""
     columns = moves.columns
     programmed = columns.templates
@@ -169,7 +175,7 @@ def _move_states(
     times = np.append(np.stack([over_s[:-1], columns.start_s], axis=-1), over_s[-1])
     states = np.full(len(shown), _STANDSTILL, dtype=np.object_)
     states[1:-1:2] = names
-    return list(zip(times[shown].tolist(), states[shown].tolist(), strict=True)), colours
+    return zip(times[shown], states[shown], strict=True), colours
 
 
 def _signal_states(
