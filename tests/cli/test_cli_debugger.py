@@ -324,8 +324,10 @@ def test_conditions_and_values_are_rapid(tmp_path: Path) -> None:
 
 @pytest.mark.process
 def test_ctrl_c_stops_a_program_that_never_ends(tmp_path: Path) -> None:
+    # A number that only grows stops changing at 2**24, and a loop in which nothing changes ends.
     text = (
-        "MODULE m\nPROC main()\nVAR num n;\nWHILE TRUE DO\nIncr n;\nENDWHILE\nENDPROC\nENDMODULE\n"
+        "MODULE m\nPROC main()\nVAR num n;\nWHILE TRUE DO\nIncr n;\nIF n>1000 n:=0;\nENDWHILE\n"
+        "ENDPROC\nENDMODULE\n"
     )
     answers, _, code = debug(
         tmp_path, ["4"], "cl", "c", CTRL_C, "b 5", "rc", "p n < 1e6", text=text
