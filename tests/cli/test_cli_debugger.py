@@ -4,9 +4,14 @@ import os
 import sys
 import time
 from pathlib import Path
+from types import SimpleNamespace
+from typing import Any
 
 import pytest
 from cli_helper import rapidsim
+
+from rapidsim.cli.tools import debugger
+from rapidsim.dap.program_files import ProgramFiles
 
 if sys.platform == "win32":
     pytest.skip("a pseudo-terminal is needed, which Windows has not", allow_module_level=True)
@@ -94,7 +99,7 @@ def debug(
             asked += 1
             os.write(terminal, (waiting.pop(0) if waiting else "q").encode() + b"\n")
             if waiting and waiting[0] == CTRL_C:
-                time.sleep(0.3)
+                time.sleep(1.0)
                 os.write(terminal, waiting.pop(0).encode())
     os.close(terminal)
     _, status = os.waitpid(process, 0)
@@ -335,6 +340,22 @@ def test_ctrl_c_stops_a_program_that_never_ends(tmp_path: Path) -> None:
     assert "in main\n-> " in answers[2]
     assert answers[4:6] == ["> cell.mod:5 in main\n-> Incr n;", "TRUE"]
     assert code == 130
+
+
+def test_ctrl_c_between_a_command_and_the_program_stops_the_program() -> None:
+    pauses: list[None] = []
+    session: Any = SimpleNamespace(
+        search=None,
+        is_running=False,
+        debugger=SimpleNamespace(pause=lambda: pauses.append(None)),
+    )
+    prompt = debugger._Prompt(ProgramFiles(()))
+    prompt.session = session
+    with pytest.raises(KeyboardInterrupt):
+        prompt.interrupted(2, None)
+    prompt._request = {"command": "continue"}
+    prompt.interrupted(2, None)
+    assert len(pauses) == 1
 
 
 @pytest.mark.process

@@ -159,10 +159,13 @@ class _Prompt(cmd.Cmd):
         """See `ClientLink`; without copies of the process nothing goes back."""
 
     def interrupted(self, number: int, frame: FrameType | None) -> None:
-        """Stop a running program at its next statement; the second time, end it."""
+        """Stop a running program at its next statement; the second time, end it.
+
+        A command that lets it go on has been read: then it is about to run.
+        """
         if self.session.search is not None:
             os._exit(0)
-        if self._pauses or not self.session.is_running:
+        if self._pauses or not (self._request or self.session.is_running):
             raise KeyboardInterrupt
         self._pauses = True
         self.session.debugger.pause()
