@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+from operator import attrgetter
 from typing import Annotated
 
 import numpy as np
@@ -148,16 +150,8 @@ def part_event_records(
 
 def contact_records(simulation: Simulation) -> tuple[ContactRecord, ...]:
     """The contacts of a run in order of time; none where nothing is judged."""
-    if simulation.collisions is None:
-        return ()
-    contacts = simulation.collisions.report.contacts
-    poses: list[Transform] = [Transform.identity()] * len(contacts)
-    for number, robot in enumerate(simulation.robots):
-        rows = [row for row, one in enumerate(contacts) if one.robot == number]
-        at = robot.sample(np.array([contacts[row].time_s for row in rows])).base_from_tcp
-        for k, row in enumerate(rows):
-            poses[row] = at[k]
-    return tuple(_contact(simulation, one, pose) for one, pose in zip(contacts, poses, strict=True))
+    found = simulation.collisions
+    return () if found is None else _records(simulation, found.report.contacts)
 
 
 def crash_records(simulation: Simulation) -> tuple[ContactRecord, ...]:
@@ -165,9 +159,18 @@ def crash_records(simulation: Simulation) -> tuple[ContactRecord, ...]:
     found = simulation.collisions
     if found is None:
         return ()
-    begins = {id(first) for first, *_ in found.crashes} or set(map(id, found.hits))
-    pairs = zip(found.report.contacts, contact_records(simulation), strict=True)
-    return tuple(record for contact, record in pairs if id(contact) in begins)
+    begins = [first for first, *_ in found.crashes]
+    return _records(simulation, sorted(begins, key=attrgetter("time_s")) or found.hits)
+
+
+def _records(simulation: Simulation, contacts: Sequence[Contact]) -> tuple[ContactRecord, ...]:
+    poses: list[Transform] = [Transform.identity()] * len(contacts)
+    for number, robot in enumerate(simulation.robots):
+        rows = [row for row, one in enumerate(contacts) if one.robot == number]
+        at = robot.sample(np.array([contacts[row].time_s for row in rows])).base_from_tcp
+        for k, row in enumerate(rows):
+            poses[row] = at[k]
+    return tuple(_contact(simulation, one, pose) for one, pose in zip(contacts, poses, strict=True))
 
 
 def clearance_records(simulation: Simulation) -> tuple[ClearanceRecord, ...]:
