@@ -30,7 +30,6 @@ from rapidsim.interpreter.tools.step_positions import (
     StatementStarts,
     StepGranularity,
     StepPosition,
-    rapid_frames,
 )
 from rapidsim.language.error_numbers import ERR_DIVZERO, name_of, rapid_error
 from rapidsim.language.errors import RapidError
@@ -236,13 +235,7 @@ class Debugger:
         return self._tracer(frame, StatementStarts(self._positions.places(frame))).trace
 
     def _tracer(self, frame: FrameType, starts: StatementStarts) -> _FrameTracer:
-        caller = next(rapid_frames(frame.f_back), None)
-        tracer = None if caller is None else _tracer_of(caller)
-        # From its caller: a deep stack is not counted again for each routine on it.
-        if tracer is None:
-            position = self._positions.of(frame)
-        else:
-            position = self._positions.within(frame, tracer.position)
+        position = self._positions.traced(frame)
         return _FrameTracer(self, starts, self.number + 1, position, self._mark(position))
 
     def _mark(self, position: StepPosition) -> int:

@@ -71,14 +71,7 @@ class Stepper:
     def _tracer(self, frame: FrameType, line: int = 0, instruction: int = 0) -> _FrameTracer:
         """The tracer of a frame, from its current statement on."""
         starts = StatementStarts(self._positions.places(frame), line, instruction)
-        caller = next(rapid_frames(frame.f_back), None)
-        tracer = None if caller is None else getattr(caller.f_trace, "__self__", None)
-        # From its caller: a deep stack is not counted again for each routine on it.
-        if isinstance(tracer, _FrameTracer):
-            position = self._positions.within(frame, tracer.position)
-        else:
-            position = self._positions.of(frame)
-        return _FrameTracer(self, starts, position)
+        return _FrameTracer(self, starts, self._positions.traced(frame))
 
     def pass_statement(self, place: Place, now: StepPosition) -> None:
         """Halt the program before a statement if the step ends there."""
