@@ -67,15 +67,8 @@ class BoundsTrees:
         self.parts = parts
         count = len(parts.centre)
         no = np.zeros(count, dtype=np.int64)
-        members, starts, sizes, orders, firsts, counts, forms = (
-            [no[:0]],
-            [no],
-            [no],
-            [],
-            [no],
-            [no],
-            [no],
-        )
+        members, orders = [no[:0]], [no[:0]]
+        starts, sizes, firsts, counts, forms = [no], [no], [no], [no], [no]
         roots: list[int] = []
         placed = ordered = 0
         for body in bodies:
@@ -101,14 +94,12 @@ class BoundsTrees:
                 count += len(edges)
             roots.append(int(nodes[0]))
             ordered += len(body)
-        self._order = np.concatenate([no[:0], *orders])
+        self._order = np.concatenate(orders)
         self._first, self._count = np.concatenate(firsts), np.concatenate(counts)
         self._form: Index = np.concatenate(forms)
         """Form of groups: 1 for those of triangles only, plus 2 for those with turned boxes."""
-        end, has_axes = (
-            parts.first_triangle,
-            len(parts.triangles) > 0 or self._form.max(initial=0) > 1,
-        )
+        end = parts.first_triangle
+        has_axes = len(parts.triangles) > 0 or self._form.max(initial=0) > 1
         self._nodes = Bounds.unknown(count, turned=bool(has_axes))
         solids = np.arange(end)
         self._nodes.put(solids, Bounds(parts.centre[:end], parts.half[:end], parts.bound))
