@@ -1,6 +1,7 @@
 """`rapidsim run --break`: the debugger at a pseudo-terminal, as a person uses it."""
 
 import os
+import signal
 import sys
 import time
 from pathlib import Path
@@ -79,6 +80,8 @@ def debug(
     arguments = [sys.executable, "-m", "rapidsim", "run", "cell.mod", "--no-record", *options]
     process, terminal = pty.fork()
     if process == 0:
+        # A background job ignores it, and so do its children.
+        signal.signal(signal.SIGINT, signal.default_int_handler)
         os.chdir(folder)
         os.environ.update(TERM="dumb", COLUMNS="80", PYTHONIOENCODING="utf-8")
         for variable in ("CI", "PYTEST_CURRENT_TEST"):
