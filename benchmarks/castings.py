@@ -8,7 +8,8 @@ The first runs a cell of two arms and a positioner among rings with a rippled su
 mesh that is not convex: one in each gripper, one on the table, the others close to the arms. It
 prints the processor time beyond the same run without bodies, per simulated second, each time in a
 new process, and that of python-fcl for the nearest pair at every step of 16 ms: for a first run,
-and for a later one, which finds the hulls of the bodies in the user's store. In the second the
+and for a later one, which finds the hulls of the bodies in the user's store. NumPy has one thread,
+as in the command line. In the second the
 rings are so close that the arms hit many in every move. The third compares distances and contacts
 of such a ring and a box, and of two rings, in random poses with those of python-fcl, with the
 processor time of both.
@@ -17,12 +18,15 @@ processor time of both.
 from __future__ import annotations
 
 import argparse
+import os
 import subprocess
 import sys
 import time
 from dataclasses import dataclass
 from pathlib import Path
 from tempfile import TemporaryDirectory
+
+os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 
 import fcl
 import numpy as np

@@ -24,9 +24,9 @@ from rapidsim.repeated_rows import repeated
 _ROWS_AT_ONCE = 400_000
 _FEW = 400
 """Number of pairs of nodes followed at once: fewer steps cost more than fewer pairs save."""
-_BEAM = 48
+_BEAM = 32
 """Number of pairs of nodes that are followed to find a first gap of surfaces; else it is one."""
-_SLIDES, _AT_POINT = 6, 2
+_SLIDES, _AT_POINT = 6, 3
 """Largest number of steps from nearest points to nearer ones, and of parts near a point."""
 CLOSE_M, CLOSE = 5e-8, 2e-3
 """Absolute tolerance [m] of gaps by default, and relative one; the larger applies."""

@@ -1,6 +1,7 @@
 """Starting fast: a command imports what it needs and no more. And the public names exist."""
 
 import json
+import os
 import subprocess
 import sys
 from pathlib import Path
@@ -10,6 +11,7 @@ import pytest
 import rapidsim
 
 HEAVY = ("rerun", "yourdfpy", "trimesh", "scipy", "pyarrow", "networkx", "matplotlib", "numba")
+THREADS = Path("/proc/self/task")
 MODULE = "MODULE tiny\n  PROC main()\n    VAR num n;\n    n:=1;\n  ENDPROC\nENDMODULE\n"
 
 REPORT = """
@@ -77,6 +79,24 @@ def test_a_check_that_finds_nothing_reads_of_no_rule(tmp_path: Path) -> None:
         for arguments in ((), ("--select", "unused-data"))
     ]
     assert read == ["False", "True"]
+
+
+@pytest.mark.process
+@pytest.mark.skipif(not THREADS.is_dir(), reason="only Linux lists the threads of a process there")
+def test_a_run_has_one_thread(tmp_path: Path) -> None:
+    (tmp_path / "tiny.mod").write_text(MODULE)
+    counting = f"{REPORT}import os\nprint(len(os.listdir({str(THREADS)!r})))"
+    done = subprocess.run(
+        [sys.executable, "-c", counting, "run", "tiny.mod", "--no-record", "--robot", "irb120"],
+        cwd=tmp_path,
+        env={name: one for name, one in os.environ.items() if name != "OPENBLAS_NUM_THREADS"},
+        capture_output=True,
+        text=True,
+        check=True,
+    )
+    *_, modules, count = done.stdout.splitlines()
+    assert "numpy" in json.loads(modules)[1]
+    assert count == "1"
 
 
 @pytest.mark.parametrize("name", rapidsim.__all__)
