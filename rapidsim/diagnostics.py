@@ -8,12 +8,13 @@ text files. A `Diagnostic` is a violation at a position.
 from __future__ import annotations
 
 import re
+from array import array
 from bisect import bisect_right
 from collections.abc import Mapping, Sequence
 from dataclasses import field
 from enum import StrEnum
 from functools import cache, cached_property
-from itertools import accumulate
+from itertools import accumulate, chain
 from typing import TYPE_CHECKING, Any, ClassVar, dataclass_transform
 
 from rapidsim.shipped import shipped
@@ -47,13 +48,14 @@ class Source:
     text: str
 
     @cached_property
-    def line_starts(self) -> tuple[int, ...]:
+    def line_starts(self) -> Sequence[int]:
         """Offset of the first character of each line."""
         if "\r" in self.text and _LONE_RETURN.search(self.text):
-            return (0, *(match.end() for match in LINE_END.finditer(self.text)))
+            ends = (match.end() for match in LINE_END.finditer(self.text))
+            return array("q", chain((0,), ends))
         # Then each line ends with a line feed, which is found faster.
         lines = self.text.split("\n")
-        return tuple(accumulate((len(line) + 1 for line in lines[:-1]), initial=0))
+        return array("q", accumulate((len(line) + 1 for line in lines[:-1]), initial=0))
 
     @property
     def written(self) -> Source:

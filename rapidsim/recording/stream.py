@@ -18,6 +18,8 @@ APPLICATION = "rapidsim"
 _WRITER_FAILED = ("File-writer thread", "Failed to write")
 """Error texts of rerun for a writer that stopped earlier, and for a failure in the call itself."""
 
+ROWS_AT_ONCE = 1 << 14
+"""Number of rows to send at once: rerun takes several times their memory to write them."""
 _PATIENCE_S = 30.0
 """Time [s] within which a working writer writes more data."""
 

@@ -194,7 +194,7 @@ class SpacedSource(Source):
         return len(self._written.text) if last else self._starts[piece + 1]
 
     @property
-    def line_starts(self) -> tuple[int, ...]:
+    def line_starts(self) -> Sequence[int]:
         """Offset in the file of the first character of each line."""
         return self.written.line_starts
 

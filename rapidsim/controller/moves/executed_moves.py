@@ -177,9 +177,9 @@ class MoveColumns:
         """Shape (k,)."""
         return self.rows.column(attrgetter("length_m"), attrgetter("length_m"))
 
-    @cached_property
+    @property
     def end_m(self) -> Array:
-        """Shape (k, 3): position of the TCP at the programmed end, in base."""
+        """Shape (k, 3): position of the TCP at the programmed end, in base; computed anew."""
         ends = self.rows.column(SettledLines.end_m, lambda row: row.base_from_tcp.translation)
         return ends.reshape(-1, 3)
 

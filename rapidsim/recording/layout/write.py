@@ -68,8 +68,10 @@ def record(simulation: Simulation, path: str | Path, *, dt: float | None = None)
     with recording_file(path, _content_id(simulation, runs), layout) as stream:
         _log_whole(stream, simulation, runs[0])
         remarks: tuple[str, ...] = runs[0].remarks
-        for run, of_robot in zip(runs, targets, strict=True):
-            remarks += _log_robot(stream, run, of_robot)
+        for run in runs:
+            # Of a million moves targets take as much memory as all panels.
+            remarks += _log_scene(stream, run, targets.pop(0))
+            remarks += _log_panels(stream, run)
         if simulation.collisions is not None:
             # The body code is imported only for cells with bodies.
             from rapidsim.recording.scene.bodies import log_bodies  # noqa: PLC0415
@@ -90,8 +92,8 @@ def _log_whole(stream: rr.RecordingStream, simulation: Simulation, run: Recorded
     log_belts(stream, run)
 
 
-def _log_robot(stream: rr.RecordingStream, run: RecordedRobot, targets: Targets) -> tuple[str, ...]:
-    """Log one robot; return remarks on content that the viewer cannot show correctly."""
+def _log_scene(stream: rr.RecordingStream, run: RecordedRobot, targets: Targets) -> tuple[str, ...]:
+    """Log a robot in the cell; return remarks on content that the viewer cannot show correctly."""
     remarks = _log_base(stream, run)
     size_m = cell_size(run)
     near_m = extent(near_targets(targets)) or size_m
@@ -106,8 +108,13 @@ def _log_robot(stream: rr.RecordingStream, run: RecordedRobot, targets: Targets)
         stream, run, targets, axis_m=min(0.12 * near_m, 0.5 * axis_m), spacing_m=0.1 * size_m
     )
     remarks += log_failed(stream, run, 0.2 * axis_m)
-    remarks += log_listing(stream, run)
     log_stopped(stream, run, 0.05 * size_m)
+    return remarks
+
+
+def _log_panels(stream: rr.RecordingStream, run: RecordedRobot) -> tuple[str, ...]:
+    """Log program text, plots and lanes of a robot; return remarks as for the scene."""
+    remarks = log_listing(stream, run)
     log_plots(stream, run)
     log_moves(stream, run)
     log_limits(stream, run)

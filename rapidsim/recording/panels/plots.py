@@ -16,6 +16,7 @@ from rapidsim.controller.moves.executed_moves import MoveColumns
 from rapidsim.frames.transform import Array
 from rapidsim.recording import palette
 from rapidsim.recording.samples import RecordedRobot
+from rapidsim.recording.stream import ROWS_AT_ONCE
 
 ANGLES = "joints/angle"
 RANGE = "joints/range"
@@ -149,11 +150,13 @@ def _log_speed(stream: rr.RecordingStream, run: RecordedRobot) -> None:
     if not run.robot_run.moves:
         return
     times, speeds = _programmed_steps(run.robot_run.moves.columns, run.sampled.end_s)
-    stream.send_columns(
-        run.entity(PROGRAMMED_SPEED),
-        indexes=run.clock.columns(times),
-        columns=rr.Scalars.columns(scalars=speeds),
-    )
+    for begin in range(0, len(times), ROWS_AT_ONCE):
+        some = slice(begin, begin + ROWS_AT_ONCE)
+        stream.send_columns(
+            run.entity(PROGRAMMED_SPEED),
+            indexes=run.clock.columns(times[some]),
+            columns=rr.Scalars.columns(scalars=speeds[some]),
+        )
 
 
 def _programmed_steps(moves: MoveColumns, end_s: float) -> tuple[Array, Array]:

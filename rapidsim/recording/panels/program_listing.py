@@ -15,6 +15,7 @@ from rapidsim.controller.journal.events import ExecutedLine
 from rapidsim.controller.journal.executed_lines import times_of
 from rapidsim.controller.moves.executed_moves import ExecutedMoves
 from rapidsim.diagnostics import Source
+from rapidsim.frames.transform import Array
 from rapidsim.recording.samples import RecordedRobot
 from rapidsim.values import value_class
 
@@ -51,13 +52,13 @@ def log_listing(stream: rr.RecordingStream, run: RecordedRobot) -> tuple[str, ..
     """
     lines, moves = run.robot_run.lines, run.robot_run.moves
     times = np.concatenate([[0.0], times_of(lines), moves.columns.start_s])
-    instants = np.unique(times).tolist()
+    instants = np.unique(times)
     remarks: tuple[str, ...] = ()
     if len(instants) > MOST_TEXTS:
         apart_s = run.sampled.end_s / MOST_TEXTS
-        instants = list(_thin_out(instants, apart_s))
+        instants = np.array(list(_thin_out(instants, apart_s)))
         remarks = (f"the pointers in the program text are shown every {apart_s:.3g} s only",)
-    rows = list(_texts(_pointers(instants, lines, moves)))
+    rows = list(_texts(_pointers(instants.tolist(), lines, moves)))
     if rows:
         stream.send_columns(
             run.entity(ENTITY),
@@ -70,13 +71,13 @@ def log_listing(stream: rr.RecordingStream, run: RecordedRobot) -> tuple[str, ..
     return remarks
 
 
-def _thin_out(instants: Sequence[float], spacing_s: float) -> Iterator[float]:
-    """Yield instants that are some time apart."""
-    next_s = 0.0
-    for time_s in instants:
-        if time_s >= next_s:
-            yield time_s
-            next_s = time_s + spacing_s
+def _thin_out(instants: Array, spacing_s: float) -> Iterator[float]:
+    """Yield some of increasing instants (k,) that are some time apart."""
+    at = 0
+    while at < len(instants):
+        time_s = float(instants[at])
+        yield time_s
+        at += int(np.searchsorted(instants[at:], time_s + spacing_s))
 
 
 def _pointers(

@@ -2,18 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from itertools import islice
 
 import numpy as np
 import rerun as rr
 
 from rapidsim.controller.journal.events import ErrorTally
-from rapidsim.controller.moves.executed_moves import ExecutedMoves
+from rapidsim.controller.moves.executed_moves import ExecutedMoves, MoveColumns
 from rapidsim.language.error_answers import ErrorOutcome, shown_name
 from rapidsim.recording import palette
 from rapidsim.recording.samples import RecordedRobot
 from rapidsim.recording.scene.targets import target_name
+from rapidsim.recording.stream import ROWS_AT_ONCE
 from rapidsim.recording.timelines import Clock
 from rapidsim.simulation.results.active_limits import active_limits
 from rapidsim.simulation.results.signal_history import signal_changes
@@ -30,9 +31,6 @@ _STANDSTILL = "at rest"
 _CLEAR = "clear"
 _NO_ERROR = "no error"
 _SHORTEST_STANDSTILL_S = 1e-6
-
-_AT_ONCE = 1 << 14
-"""States that are sent at once, which bounds the memory."""
 
 _States = list[tuple[float, str]]
 
@@ -140,7 +138,7 @@ def _log_lane(
         static=True,
     )
     remaining = iter(states)
-    while block := list(islice(remaining, _AT_ONCE)):
+    while block := list(islice(remaining, ROWS_AT_ONCE)):
         stream.send_columns(
             entity,
             indexes=clock.columns([time_s for time_s, _ in block]),
@@ -167,15 +165,28 @@ def _move_states(
             # Every other move is a shade darker: neighbours of one kind would merge.
             colour = palette.of_move(move)
             colours[name] = colour if len(colours) % 2 else palette.darker(colour)
-    makes_way = columns.end_s > columns.start_s
-    last = np.maximum.accumulate(np.where(makes_way, np.arange(len(names)), -1))
-    over_s = np.append(0.0, np.where(last < 0, 0.0, columns.end_s[last]))
-    rests = columns.start_s > over_s[:-1] + _SHORTEST_STANDSTILL_S
-    shown = np.append(np.stack([rests, makes_way], axis=-1), True)
-    times = np.append(np.stack([over_s[:-1], columns.start_s], axis=-1), over_s[-1])
-    states = np.full(len(shown), _STANDSTILL, dtype=np.object_)
-    states[1:-1:2] = names
-    return zip(times[shown], states[shown], strict=True), colours
+    return _with_rests(names, columns), colours
+
+
+def _with_rests(names: Sequence[str], moves: MoveColumns) -> Iterator[tuple[float, str]]:
+    """Yield the changes of the move lane: the starts of moves, and rest in between."""
+    over_s = 0.0
+    for begin in range(0, len(names), ROWS_AT_ONCE):
+        some = slice(begin, begin + ROWS_AT_ONCE)
+        start_s, end_s = moves.start_s[some], moves.end_s[some]
+        makes_way = end_s > start_s
+        last = np.maximum.accumulate(np.where(makes_way, np.arange(len(start_s)), -1))
+        before_s = np.append(over_s, np.where(last < 0, over_s, end_s[last]))
+        rests = start_s > before_s[:-1] + _SHORTEST_STANDSTILL_S
+        for name, time_s, makes, rest_s, rests_before in zip(
+            names[some], start_s, makes_way, before_s, rests, strict=False
+        ):
+            if rests_before:
+                yield rest_s, _STANDSTILL
+            if makes:
+                yield time_s, name
+        over_s = before_s[-1]
+    yield over_s, _STANDSTILL
 
 
 def _signal_states(

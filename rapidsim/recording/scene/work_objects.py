@@ -128,14 +128,13 @@ def _log_plate(
 ) -> None:
     """Log a named plate under the targets and the origin, in the plane of the object frame."""
     columns = run.robot_run.moves.columns
+    end_m = columns.end_m
     places: dict[WobjData, list[Array]] = {}
     for row in rows:
         move = columns.templates[row]
         if not move.wobj.robhold and move.wobj.ufprog and move.tool.robhold:
             place = (
-                run.still_from_end(columns.rows[row]).translation
-                if run.on_track
-                else columns.end_m[row]
+                run.still_from_end(columns.rows[row]).translation if run.on_track else end_m[row]
             )
             places.setdefault(move.wobj, []).append(place)
     in_plane = [np.zeros((1, 2))]
