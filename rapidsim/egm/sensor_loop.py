@@ -316,7 +316,7 @@ def _pass(
         elif number in sessions:
             sessions[number].follow(order)
             if isinstance(order, CloseSensor):
-                del sessions[number]
+                sessions.pop(number).socket.host.end()
     for one in sessions.values():
         now_s = monotonic()
         if one.due_s() <= now_s:

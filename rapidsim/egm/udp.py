@@ -10,6 +10,7 @@ import socket
 from collections.abc import Collection, Sequence
 from contextlib import suppress
 from dataclasses import InitVar, dataclass, field
+from functools import partial
 from time import monotonic
 from typing import Final
 
@@ -19,6 +20,7 @@ from rapidsim.egm.codec import DecodeError
 from rapidsim.egm.datagram_faults import DatagramFaults, DatagramLine
 from rapidsim.egm.devices import Address, SensorDevices
 from rapidsim.egm.frames import robot_datagram, sensor_answer
+from rapidsim.egm.sensor_host import PATIENCE_S, SensorHost
 from rapidsim.motion.guidance.feedback import Feedback
 from rapidsim.motion.guidance.guided_execution import GuidedExecution
 from rapidsim.motion.guidance.joint_law import CYCLE_S
@@ -37,7 +39,10 @@ class Ports:
     """
 
     faults: DatagramFaults = field(default_factory=DatagramFaults)
+    patience_s: float | None = PATIENCE_S
+    """Time [s] to wait for the address of a host; None for no limit."""
     _streams: dict[Address, socket.socket] = field(default_factory=dict)
+    _hosts: dict[Address, SensorHost] = field(default_factory=dict)
 
     def to(self, address: Address, *, any_port: bool = False) -> SensorSocket:
         """Connect to a sensor, discarding what it sent to the previous program.
@@ -52,11 +57,18 @@ class Ports:
             stream.setblocking(False)
             local = address.host in ("127.0.0.1", "localhost")
             stream.bind(("127.0.0.1" if local else "", 0))
-        SensorSocket(_numeric(address), self._streams[address], self.faults).receive()
-        return SensorSocket(_numeric(address), self._streams[address], self.faults, any_port)
+        if address in self._hosts:
+            self._hosts[address].end()
+        # A host that has started again may have another address.
+        host = self._hosts[address] = SensorHost(address)
+        host.begin(self.patience_s)
+        SensorSocket(host, self._streams[address], self.faults).receive()
+        return SensorSocket(host, self._streams[address], self.faults, any_port)
 
     def close(self) -> None:
         """Close all ports."""
+        for host in self._hosts.values():
+            host.end()
         for stream in self._streams.values():
             stream.close()
         self._streams.clear()
@@ -66,8 +78,8 @@ class Ports:
 class SensorSocket:
     """Datagrams to and from one sensor."""
 
-    address: Address
-    """Its numeric host, as in incoming datagrams."""
+    host: SensorHost
+    """Its address, with a numeric host as in incoming datagrams."""
     stream: socket.socket
     faults: InitVar[DatagramFaults]
     any_port: bool = False
@@ -93,9 +105,11 @@ class SensorSocket:
         """Send the robot's position to the sensor; delivery is not confirmed."""
         self._time_s = feedback.time_s
         data = robot_datagram(self._number, feedback)
+        to = self.host.numeric
         for one in self._out.passed(data, self._time_s):
-            with suppress(OSError):
-                self.stream.sendto(one, self.address)
+            if to is not None:
+                with suppress(OSError):
+                    self.stream.sendto(one, to)
         self._number += 1
 
     def receive(self) -> int:
@@ -109,7 +123,8 @@ class SensorSocket:
             except OSError:
                 # Some systems report here that the last message was not received.
                 continue
-            if sender[0] != self.address.host or self._port not in (None, sender[1]):
+            known = self.host.numeric
+            if known is None or sender[0] != known.host or self._port not in (None, sender[1]):
                 # Nobody else may guide the robot.
                 self.dropped += 1
                 continue
@@ -144,13 +159,6 @@ class SensorSocket:
         if self._has_guided:
             self._answer = None
         self._has_guided = True
-
-
-def _numeric(address: Address) -> Address:
-    """The address with a numeric host; unchanged if the host cannot be resolved."""
-    with suppress(OSError):
-        return Address(socket.gethostbyname(address.host), address.port)
-    return address
 
 
 @dataclass(slots=True, eq=False)
@@ -275,7 +283,8 @@ class StepSensors:
 
     devices: SensorDevices
     _open: list[StepSensor] = field(default_factory=list)
-    _ports: Ports = field(default_factory=Ports)
+    # Its answers advance time: the first message must not be lost.
+    _ports: Ports = field(default_factory=partial(Ports, patience_s=None))
 
     def fail(self, faults: tuple[LastingFault, ...]) -> None:
         """See `GuidanceSensors`."""

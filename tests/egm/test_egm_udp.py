@@ -4,9 +4,13 @@ from __future__ import annotations
 
 import select
 import socket
+import threading
 from dataclasses import replace
-from time import monotonic
+from time import monotonic, sleep
 
+import pytest
+
+from rapidsim.egm import sensor_host
 from rapidsim.egm.codec import encode
 from rapidsim.egm.devices import Address, SensorDevices
 from rapidsim.egm.messages import SENSOR
@@ -69,3 +73,35 @@ def test_only_the_computer_of_the_sensor_guides_the_robot() -> None:
     assert _heard("localhost") == (1, 0)
     # An address that no computer has.
     assert _heard("192.0.2.1") == (0, 1)
+
+
+def test_a_host_without_an_address_delays_no_cycle(monkeypatch: pytest.MonkeyPatch) -> None:
+    # A name server that takes its time, and does not know the host before the third attempt.
+    attempts: list[str] = []
+
+    def slowly(host: str) -> str:
+        attempts.append(host)
+        gate.wait(10.0)
+        if len(attempts) < 3:
+            raise OSError
+        return "127.0.0.1"
+
+    gate = threading.Event()
+    monkeypatch.setattr(socket, "gethostbyname", slowly)
+    monkeypatch.setattr(sensor_host, "_AGAIN_S", 0.0)
+    ports = Ports(patience_s=0.0)
+    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as device:
+        device.bind(("127.0.0.1", 0))
+        device.settimeout(10.0)
+        sensor = ports.to(Address("driver", device.getsockname()[1]))
+        sensor.send(STANDING)
+        gate.set()
+        while sensor.host.numeric is None:
+            sleep(0.001)
+        sensor.send(replace(STANDING, time_s=0.004))
+        device.recvfrom(65536)
+        device.setblocking(False)
+        with pytest.raises(BlockingIOError):
+            device.recvfrom(65536)
+    ports.close()
+    assert attempts == ["driver"] * 3
