@@ -29,7 +29,7 @@ MAX_WALL = 2.0
 GRACE = 2.0
 """Seconds of the processor that a command may take beyond its `--max-wall`."""
 CHECK_LIMIT = LONGEST_WORK_S + GRACE
-"""`check` has no `--max-wall`; of an endless loop it runs 120 s of virtual time, or so long."""
+"""Processor time [s]: of an endless loop `check` runs 120 s of virtual time, or so long."""
 _FRAME = re.compile(r'File "[^"]*/(rapidsim/[^"]+|<[^"]+>)", line \d+, in (\S+)')
 _FRAMES = 2
 HANGS = "Hang"

@@ -48,10 +48,13 @@ if TYPE_CHECKING:
 LONGEST_RUN_S = 120.0
 """Virtual time [s] after which the trial run ends."""
 LONGEST_WORK_S = 10.0
-"""Wall-clock time [s] after which it ends, too: many times the time that a program which makes
+"""Processor time [s] after which it ends, too: many times the time that a program which makes
 progress needs for that much virtual time."""
 LONGEST_WORK_FOR_ERRORS_S = 2.0
-"""Wall-clock limit [s] of a run for errors only."""
+"""Limit of the processor time [s] of a run for errors only."""
+MOST_WALL = 3.0
+"""Limit on the wall clock, as a multiple of these: a verdict should not depend on what else the
+computer does."""
 _TOLD_BY_RUN = frozenset({"conf_j", "conf_l"})
 """Settings whose findings the run reports itself."""
 _NOBODY_THERE = (NobodyAnswers, NobodyConnects, EndlessWait)
@@ -269,18 +272,20 @@ def run_all_tasks(setups: Sequence[TaskSetup], options: RunOptions) -> CellRun |
 
 
 def _limited(options: RunOptions, longest_s: float, work_s: float) -> RunOptions:
-    """Return options for one cycle, limited in virtual and in wall-clock time.
+    """Return options for one cycle, limited in virtual time, processor time and wall-clock time.
 
     If the check itself has a time limit, half of it remains for everything else.
     """
+    wall_s = MOST_WALL * work_s
     if options.max_wall_s is not None:
-        work_s = min(work_s, 0.5 * options.max_wall_s)
+        wall_s = min(wall_s, 0.5 * options.max_wall_s)
     return replace(
         options,
         answers=_stop_at_question,
         max_cycles=1,
         max_time_s=min(options.max_time_s, longest_s),
-        max_wall_s=work_s,
+        max_wall_s=wall_s,
+        max_work_s=work_s,
     )
 
 
@@ -297,10 +302,10 @@ def _alone(options: RunOptions, home: str, *, guesses_frames: bool = True) -> Ru
 
 
 def _cut_off(run: Simulation, limits: RunOptions) -> str:
-    """Return that a run ended at the limit on the computer's clock; empty if it did not."""
+    """Return that a run ended at its limit of the computer's time; empty if it did not."""
     if run.end is not End.TIME_LIMIT or run.time_s >= limits.max_time_s:
         return ""
-    spent = f"{limits.max_wall_s:g} s of this computer's time"
+    spent = f"{limits.max_work_s:g} s of processor time or {limits.max_wall_s:g} s on the clock"
     return f"it was cut off after {spent}, at {run.time_s:.3f} s; `rapidsim run` makes it"
 
 

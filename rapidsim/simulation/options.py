@@ -69,6 +69,8 @@ class RunOptions:
     """Virtual time at which the run ends."""
     max_wall_s: float | None = None
     """Limit of the run in wall-clock time; nothing else in a run depends on that time."""
+    max_work_s: float | None = None
+    """Limit of the processor time of the run: other work of the computer does not shorten it."""
     max_cycles: int = 1
     """Number of cycles of main."""
     entry: str = "main"
@@ -102,4 +104,5 @@ class RunOptions:
             starts_at=self.starts_at,
             max_time_s=self.max_time_s,
             max_wall_s=self.max_wall_s,
+            max_work_s=self.max_work_s,
         )

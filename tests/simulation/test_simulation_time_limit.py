@@ -1,9 +1,10 @@
 """A run that is cut off says where the program was."""
 
+import sys
 from collections import deque
 from dataclasses import replace
 from threading import Thread
-from time import monotonic
+from time import monotonic, thread_time
 from types import SimpleNamespace
 
 import numpy as np
@@ -130,6 +131,23 @@ def test_many_moves_end_a_run_earlier_because_they_must_still_be_reported() -> N
         deque(iter(watchdog.check, NotImplemented), 0)
     # Without the moves, nothing would have ended the run so early.
     assert watchdog.left_s > 0.0
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="only Linux has the time of a single thread")
+def test_other_work_of_the_computer_does_not_shorten_a_run() -> None:
+    watchdog = Watchdog(None, lambda: 0, work_s=0.1)
+
+    def work() -> None:
+        while thread_time() < 0.2:
+            pass
+
+    other = Thread(target=work)
+    other.start()
+    other.join()
+    watchdog.check()
+    with pytest.raises(WallLimitReached, match=r"cut off after 0\.1 s of processor time"):
+        deque(iter(watchdog.check, NotImplemented), 0)
+    watchdog.rest()
 
 
 def test_numba_is_not_interrupted_while_it_compiles() -> None:

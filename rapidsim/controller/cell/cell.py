@@ -188,7 +188,7 @@ class Cell:
     def __init__(self, inputs: CellInputs, journal: Journal) -> None:
         """Set the cell up at time zero; changes without a task are recorded next to `journal`."""
         self.max_time_s = inputs.max_time_s
-        self.watchdog = Watchdog(inputs.max_wall_s, lambda: journal.noted)
+        self.watchdog = Watchdog(inputs.max_wall_s, lambda: journal.noted, inputs.max_work_s)
         self.signals = SignalTable(inputs.io.signals)
         self.home = HomeFolder(inputs.home, inputs.ramdisk)
         self.operator = OperatorDialog(inputs.answers, inputs.answers_are_typed)

@@ -48,3 +48,5 @@ class CellInputs:
     """Virtual time at which the run ends."""
     max_wall_s: float | None
     """Maximum duration of the run on the wall clock; nothing else in a run depends on it."""
+    max_work_s: float | None
+    """Maximum processor time of the run; nothing else depends on that either."""

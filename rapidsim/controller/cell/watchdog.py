@@ -1,6 +1,6 @@
-"""Limit of a run on the computer's clock (wall clock).
+"""Limit of a run on the computer's clock (wall clock), or of the processor time that it may take.
 
-This is the only part of a run that reads the wall clock, and it only ends the run. Polling the
+This is the only part of a run that reads these clocks, and it only ends the run. Polling the
 limit costs next to nothing: a thread sleeps until the limit, then sets a flag that long work
 checks, and takes the ticks of the tasks, so that every loop requests new ones at its next turn.
 Work that cannot check the flag (loading a module runs the parser, the checker and the compiler) is
@@ -14,6 +14,7 @@ from __future__ import annotations
 import ctypes
 import math
 import sys
+import time
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager, suppress
 from threading import Event, Lock, Thread, get_ident
@@ -57,17 +58,24 @@ class Watchdog:
     runs_ended: ClassVar[int] = 0
     """Number of runs of this process that their limit ended; a faster computer ends fewer."""
 
-    def __init__(self, limit_s: float | None, noted: Callable[[], int]) -> None:
+    def __init__(
+        self, limit_s: float | None, noted: Callable[[], int], work_s: float | None = None
+    ) -> None:
         """Begin to watch a run.
 
         Args:
             limit_s: Maximum duration [s]; None for no limit.
             noted: Returns the number of recorded items that will be written at the end.
+            work_s: Maximum processor time [s] of this thread, which does not depend on what else
+                the computer does; None for no limit.
         """
         self._noted = noted
         self._reason = f"the run was cut off after {limit_s or 0.0:g} s on the computer's clock"
         self._limit_s = math.inf if limit_s is None else limit_s
         self._ends_s = monotonic() + self._limit_s
+        self._work_s = math.inf if work_s is None else work_s
+        self._clock_of_work = _processor_clock(get_ident())
+        self._work_ends_s = self._clock_of_work() + self._work_s
         self._is_over = False
         self._rests = Event()
         self._tasks: list[Ticking] = []
@@ -78,7 +86,7 @@ class Watchdog:
         """The thread doing work that may be interrupted."""
         self._is_unresponsive = False
         """Whether the run was interrupted because nothing in it checked the flag."""
-        if limit_s is not None:
+        if limit_s is not None or work_s is not None:
             Thread(target=self._watch, name="rapidsim --max-wall", daemon=True).start()
 
     @property
@@ -147,7 +155,14 @@ class Watchdog:
                 sleep(_AGAIN_S)
 
     def _watch(self) -> None:
-        while (runs_s := self.left_s - max(0.0, self._noted() * _WRITING_S - _FREE_S)) > 0.0:
+        while True:
+            work_left_s = self._work_ends_s - self._clock_of_work()
+            if work_left_s <= 0.0:
+                self._reason = f"the run was cut off after {self._work_s:g} s of processor time"
+            writing_s = max(0.0, self._noted() * _WRITING_S - _FREE_S)
+            runs_s = min(self.left_s, work_left_s) - writing_s
+            if runs_s <= 0.0:
+                break
             if self._rests.wait(min(runs_s, _LOOKS_S)):
                 return
         self._end()
@@ -183,6 +198,20 @@ class Watchdog:
             # An exception raised in this thread arrives by the end of the sleep. If none does, it
             # arrived earlier and was replaced by another; `check` ends the run then.
             sleep(_AGAIN_S)
+
+
+def _processor_clock(thread: int) -> Callable[[], float]:
+    """Return the clock [s] of a thread's processor time; of the process where threads have none."""
+    if sys.platform != "linux":
+        return time.process_time
+    clock = time.pthread_getcpuclockid(thread)
+
+    def spent_s() -> float:
+        with suppress(OSError):
+            return time.clock_gettime(clock)
+        return math.inf  # The thread has ended.
+
+    return spent_s
 
 
 def _interrupt(thread: int) -> None:
