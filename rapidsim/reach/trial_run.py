@@ -52,9 +52,6 @@ LONGEST_WORK_S = 10.0
 progress needs for that much virtual time."""
 LONGEST_WORK_FOR_ERRORS_S = 2.0
 """Limit of the processor time [s] of a run for errors only."""
-MOST_WALL = 3.0
-"""Limit on the wall clock, as a multiple of these: a verdict should not depend on what else the
-computer does."""
 _TOLD_BY_RUN = frozenset({"conf_j", "conf_l"})
 """Settings whose findings the run reports itself."""
 _NOBODY_THERE = (NobodyAnswers, NobodyConnects, EndlessWait)
@@ -272,13 +269,12 @@ def run_all_tasks(setups: Sequence[TaskSetup], options: RunOptions) -> CellRun |
 
 
 def _limited(options: RunOptions, longest_s: float, work_s: float) -> RunOptions:
-    """Return options for one cycle, limited in virtual time, processor time and wall-clock time.
+    """Return options for one cycle, limited in virtual time and processor time.
 
-    If the check itself has a time limit, half of it remains for everything else.
+    A verdict should not depend on what else the computer does. If the check itself has a limit on
+    the clock, half of it remains for everything else.
     """
-    wall_s = MOST_WALL * work_s
-    if options.max_wall_s is not None:
-        wall_s = min(wall_s, 0.5 * options.max_wall_s)
+    wall_s = None if options.max_wall_s is None else 0.5 * options.max_wall_s
     return replace(
         options,
         answers=_stop_at_question,
@@ -305,7 +301,9 @@ def _cut_off(run: Simulation, limits: RunOptions) -> str:
     """Return that a run ended at its limit of the computer's time; empty if it did not."""
     if run.end is not End.TIME_LIMIT or run.time_s >= limits.max_time_s:
         return ""
-    spent = f"{limits.max_work_s:g} s of processor time or {limits.max_wall_s:g} s on the clock"
+    spent = f"{limits.max_work_s:g} s of processor time"
+    if limits.max_wall_s is not None:
+        spent += f", or {limits.max_wall_s:g} s on the clock"
     return f"it was cut off after {spent}, at {run.time_s:.3f} s; `rapidsim run` makes it"
 
 

@@ -217,7 +217,8 @@ def run_to_end(
     task: Task | None = None
     try:
         try:
-            task = load()
+            with run.controller.motion.cell.watchdog.loading():
+                task = load()
             # Traps and procedures of the path also run while the arm comes to rest.
             with running():
                 end = _run_cycles(task, run, options)

@@ -67,7 +67,7 @@ class Watchdog:
             limit_s: Maximum duration [s]; None for no limit.
             noted: Returns the number of recorded items that will be written at the end.
             work_s: Maximum processor time [s] of this thread, which does not depend on what else
-                the computer does; None for no limit.
+                the computer does, without that to load programs; None for no limit.
         """
         self._noted = noted
         self._reason = f"the run was cut off after {limit_s or 0.0:g} s on the computer's clock"
@@ -76,6 +76,8 @@ class Watchdog:
         self._work_s = math.inf if work_s is None else work_s
         self._clock_of_work = _processor_clock(get_ident())
         self._work_ends_s = self._clock_of_work() + self._work_s
+        self._loads_since_s: float | None = None
+        """Processor time at which a program began to be loaded; None while none is."""
         self._is_over = False
         self._rests = Event()
         self._tasks: list[Ticking] = []
@@ -128,6 +130,16 @@ class Watchdog:
         Thread(target=self._end, name="rapidsim Ctrl-C", daemon=True).start()
 
     @contextmanager
+    def loading(self) -> Iterator[None]:
+        """Leave out the processor time of the body of the context: it is that of a text's size."""
+        begun_s = self._loads_since_s = self._clock_of_work()
+        try:
+            yield
+        finally:
+            self._work_ends_s += self._clock_of_work() - begun_s
+            self._loads_since_s = None
+
+    @contextmanager
     def interrupting(self) -> Iterator[None]:
         """Interrupt the body of the context at the limit.
 
@@ -156,7 +168,9 @@ class Watchdog:
 
     def _watch(self) -> None:
         while True:
-            work_left_s = self._work_ends_s - self._clock_of_work()
+            since_s = self._loads_since_s
+            now_s = self._clock_of_work() if since_s is None else since_s
+            work_left_s = self._work_ends_s - now_s
             if work_left_s <= 0.0:
                 self._reason = f"the run was cut off after {self._work_s:g} s of processor time"
             writing_s = max(0.0, self._noted() * _WRITING_S - _FREE_S)
