@@ -22,7 +22,7 @@ _made, _kept = 0, 0
 
 
 @contextmanager
-def gc_paused() -> Iterator[None]:
+def gc_paused(*, of_known_program: bool = False) -> Iterator[None]:
     """Pause the collector, which would traverse a growing tree repeatedly.
 
     What was created meanwhile counts as old afterwards, or the next new object would cause a
@@ -30,10 +30,14 @@ def gc_paused() -> Iterator[None]:
     takes place here, when a pause begins and the last program is no longer needed: in a process
     that runs many programs their number at most doubles. A process that has frozen objects keeps
     them so.
+
+    Args:
+        of_known_program: Whether the pause is for a program that has been read already: then its
+            objects are needed, and there is no collection.
     """
     global _frozen, _made, _kept
     was_enabled = gc.isenabled()
-    if was_enabled and _made > max(_FEW, _kept):
+    if was_enabled and not of_known_program and _made > max(_FEW, _kept):
         gc.collect()
         _made, _kept = 0, len(gc.get_objects())
     gc.disable()

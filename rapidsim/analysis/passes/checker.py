@@ -34,7 +34,7 @@ class CheckOutcome:
     """Findings in the order of the files, then by position."""
 
 
-@gc_paused()
+@gc_paused(of_known_program=True)
 def check(
     files: Sequence[tree.File],
     rules: Sequence[Find] = (),

@@ -71,7 +71,7 @@ class LinkedProgram:
         self.link(program)
 
     # Until the translation is dropped, so that the collector never traverses it.
-    @gc_paused()
+    @gc_paused(of_known_program=True)
     def link(self, program: Program) -> None:
         """Replace the program: prepare new modules, and drop removed ones.
 

@@ -14,7 +14,7 @@ from rapidsim.syntax import tree
 from rapidsim.syntax.garbage_collection import gc_paused
 
 
-@gc_paused()
+@gc_paused(of_known_program=True)
 def walk_program(program: Program) -> WalkedProgram:
     """Interpret all routines of a program that move the robot.
 
