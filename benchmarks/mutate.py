@@ -37,6 +37,7 @@ ROOMS: Mapping[str, tuple[str, ...]] = MappingProxyType(
         "analysis": (
             "tests/analysis",
             "tests/check",
+            "tests/interpreter/test_interpreter_constants.py",
             "tests/lsp/test_lsp_names.py",
             "tests/simulation/test_simulation_backup_modules.py",
             "tests/simulation/test_simulation_reach_flow.py",
