@@ -37,13 +37,22 @@ ROOMS: Mapping[str, tuple[str, ...]] = MappingProxyType(
         "analysis": (
             "tests/analysis",
             "tests/check",
+            "tests/interpreter/test_interpreter_constants.py",
             "tests/lsp/test_lsp_names.py",
             "tests/simulation/test_simulation_backup_modules.py",
             "tests/simulation/test_simulation_reach_flow.py",
             "tests/workspace",
         ),
         "collisions": ("tests/collisions",),
-        "controller": ("tests/controller", "tests/simulation", "tests/rapid", "tests/programs"),
+        "controller": (
+            "tests/controller",
+            "tests/simulation",
+            "tests/rapid",
+            "tests/programs",
+            # What a run says of the example of each rule.
+            "tests/check/test_check_rules.py",
+            "tests/limits/test_limits_of_time.py",
+        ),
         "interpreter": (
             "tests/check/test_check_runs.py",
             "tests/cli/test_cli_call_stack.py",
@@ -52,6 +61,7 @@ ROOMS: Mapping[str, tuple[str, ...]] = MappingProxyType(
             "tests/interpreter",
             "tests/limits",
             "tests/rapid",
+            "tests/simulation/test_simulation_error*.py",
             "tests/simulation/test_simulation_loading.py",
             # Behind a debugger nothing is counted any more.
             "tests/dap",

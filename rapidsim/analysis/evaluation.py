@@ -212,8 +212,8 @@ class Evaluator:
             if operator in _COMPARISONS:
                 return _COMPARISONS[operator](a, b)
             return arithmetic_result(operator, a, b)
-        if isinstance(a, str) and isinstance(b, str):
-            return a + b if operator == "+" else NOT_STATIC
+        if isinstance(a, str) and isinstance(b, str) and operator == "+":
+            return a + b if len(a + b) <= arithmetic.MAX_STRING else arithmetic.too_long(a + b)
         function = _ON_POSITIONS.get((operator, type(a), type(b)))
         return NOT_STATIC if function is None else function(a, b)
 

@@ -38,7 +38,7 @@ class SignalSensor(SilentSensor):
             joints = [here if value is None else value for value, here in told]
             return SensorAnswer(joints=(*joints, *first.joints[len(values) :]))
         places = zip(values[:3], first.position, strict=True)
-        angles = values[3:6]
+        angles = values[3:]
         orientation = first.orientation
         if any(angle is not None for angle in angles):
             x, y, z = (math.radians(angle or 0.0) for angle in angles)

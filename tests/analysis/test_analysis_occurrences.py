@@ -4,12 +4,14 @@ from __future__ import annotations
 
 import random
 from collections import Counter
+from collections.abc import Sequence
 from pathlib import Path
 
 import pytest
 from laws import cases, some
 from whole_findings import assert_section
 
+from rapidsim.analysis.cell_names import NO_CELL, CellNames, ConfiguredSymbol
 from rapidsim.analysis.names.name_violations import DuplicateName
 from rapidsim.analysis.occurrences.locate import locate, name_at, names_in
 from rapidsim.analysis.occurrences.names import NamesOfNodes, Occurrence, declared_name
@@ -17,6 +19,7 @@ from rapidsim.analysis.occurrences.rename import RenameRefusedError, plan_rename
 from rapidsim.analysis.occurrences.scopes import symbols_in_scope
 from rapidsim.analysis.occurrences.search import occurrences
 from rapidsim.files import SourceFile
+from rapidsim.language.types import SIGNAL_DO
 from rapidsim.module_files import TaskFiles
 from rapidsim.text_edits import edited_text
 from rapidsim.workspace.workspace import Workspace
@@ -25,6 +28,8 @@ ROOT = Path(__file__).parents[2]
 FILES = sorted([*(ROOT / "programs").rglob("*.mod"), *(ROOT / "tests" / "rapid").rglob("*.mod")])
 ABOUT_NAMES = ("E108", "E121", "N202", "N203", "N204", "N206")
 """Findings that a rename removes, because they are about the old name."""
+
+CELL = CellNames(symbols={"dogrip": ConfiguredSymbol("doGrip", SIGNAL_DO)})
 
 
 def workspace_of(text: str) -> Workspace:
@@ -120,15 +125,18 @@ def _lines(workspace: Workspace) -> Counter[tuple[str, int | None]]:
 
 def test_scopes_are_from_the_inside_outwards() -> None:
     text = (
-        "MODULE m\n  VAR num a;\n  VAR num b;\n  PROC p(num a)\n    VAR num c;\n"
-        "    FOR i FROM 1 TO 2 DO\n      c:=a;\n    ENDFOR\n  ENDPROC\nENDMODULE\n"
+        "MODULE m\n  VAR num a;\n  VAR num b;\n  PROC p(num a\\num o|switch w)\n    VAR num c;\n"
+        "    FOR i FROM 1 TO 2 DO\n      c:=a;\n    ENDFOR\n    SetDO doNew,1;\n"
+        "  ENDPROC\nENDMODULE\n"
     )
-    workspace = workspace_of(text)
+    files = (SourceFile("m.mod", text, "utf-8"),)
+    workspace = Workspace([TaskFiles(None, files)], cell=CELL)
     file, facts = workspace.file("m.mod"), workspace.facts("m.mod")
     location = locate(file, file.source.address(text.index("c:=a")))
     assert location is not None
     found = list(symbols_in_scope(location, facts))
-    assert [one.name for one in found] == ["i", "a", "c", "b", "p"]
+    names = "i a o w c b p doGrip doNew"
+    assert [one.name for one in found] == names.split()
     assert type(found[1]).__name__ == "ParameterSymbol"
 
 
@@ -210,16 +218,70 @@ NEW = (
 )
 
 
-def test_what_each_name_may_become() -> None:
-    found, names = names_of(workspace_of(KINDS))
+FAULTY = """MODULE m
+  RECORD part
+    num width;
+    num width;
+    place place;
+  ENDRECORD
+  LOCAL VAR num twice;
+  VAR num twice;
+  VAR robtarget p;
+  VAR part one;
+  VAR part all{2};
+  LOCAL PERS num kept:=1;
+  PROC main()
+    VAR num own;
+    VAR num own;
+    VAR string s;
+    GOTO nowhere;
+    p.trans.x:=p.trans.length+one.none;
+    all{1}.width:=all.width;
+    go own\\other:=1;
+    go x:=own,\\by:=own;
+    nobody own\\by:=1;
+    doGrip:=1;
+    SetDO doGrip,1;
+    own:=s;
+    TPWrite s\\Num:=own\\Wrong:=1;
+    p:=Offs(p,1,2,3);
+    %s+"go"%;
+    %"kept:m"%;
+    TPWrite [s];
+    IF own ) THEN ( broken;
+  ENDPROC
+  PROC go(num x\\num by)
+    VAR num own;
+    x:=own+by;
+    own.x:=1;
+  ENDPROC
+  FUNC part golden(part given)
+    RETURN given;
+  ENDFUNC
+ENDMODULE
+MODULE other
+  LOCAL VAR num kept;
+  LOCAL PROC go()
+    kept:=twice;
+    m:go 1;
+  ENDPROC
+ENDMODULE
+"""
+NEW_IN_FAULTY = ("fresh", "doGrip", "broken", "kept", "twice", "own", "other", "by", "x")
+
+
+def renames(text: str, news: Sequence[str], cell: CellNames = NO_CELL) -> str:
+    """What each name of a text may become, and why not: a line for each answer."""
+    files = (SourceFile("m.mod", text, "utf-8"),)
+    found, names = names_of(Workspace([TaskFiles(None, files)], cell=cell))
     told = []
-    for one in {(type(one.symbol), one.name.key): one for one in found}.values():
+    for one in {(one.symbol, one.name.key): one for one in found}.values():
         kind = type(one.symbol).__name__.removesuffix("Symbol")
         declared = None if one.symbol is None else declared_name(one.symbol, names.facts)
         at = "" if declared is None else f" of {one.module.span(declared[1]).line}"
         told.append(f"{kind} {one.name.text}{at}\n")
         answers: dict[str, list[str]] = {}
-        for new in NEW:
+        for new in news:
             try:
                 spans = plan_rename(one.symbol, new, names).spans
             except RenameRefusedError as error:
@@ -228,4 +290,14 @@ def test_what_each_name_may_become() -> None:
                 answer = " ".join(f"{at.line}:{at.column}" for at in spans)
             answers.setdefault(answer, []).append(new)
         told += (f"  {' '.join(news)}: {answer}\n" for answer, news in answers.items())
-    assert_section(Path(__file__).with_name("renames.txt"), "renames", "".join(told))
+    return "".join(told)
+
+
+def test_what_each_name_may_become() -> None:
+    text = renames(KINDS, NEW)
+    assert_section(Path(__file__).with_name("renames.txt"), "renames", text)
+
+
+def test_what_each_name_may_become_among_errors() -> None:
+    text = renames(FAULTY, NEW_IN_FAULTY, CELL)
+    assert_section(Path(__file__).with_name("renames.txt"), "renames among errors", text)

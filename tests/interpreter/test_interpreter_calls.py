@@ -203,6 +203,27 @@ LATE = """
   PROC job2(num a, INOUT num b) b := b + a; TPWrite "two"; ENDPROC
   FUNC num calc() RETURN 1; ENDFUNC
   LOCAL PROC hidden() TPWrite "hidden"; ENDPROC
+  PROC lists(num a{*}, INOUT num b{*}, num c{*,*})
+    a{1} := 7; b{1} := a{1} + Dim(a, 1) + Dim(b, 1) + Dim(c, 2);
+  ENDPROC
+  PROC options(\\num a | switch b \\INOUT num c \\string d)
+    VAR string given;
+    IF Present(a) given := given + "a" + ValToStr(a);
+    IF Present(b) given := given + "b";
+    IF Present(c) c := c + 10;
+    IF Present(d) given := given + d;
+    TPWrite given;
+  ENDPROC
+  PROC passes(\\num a | switch b \\num n)
+    %"options"% \\a?a \\b?b \\c?n; TPWrite "x" \\Num?n;
+  ENDPROC
+  PROC by_name(\\num n) %"TPWrite"% "y" \\Num?n; ENDPROC
+  PROC signal(VAR signaldo s) TPWrite ValToStr(DOutput(s)); ENDPROC
+  PROC owns(VAR num v, PERS num p) v := v + 1; p := p + v; ENDPROC
+  TRAP rings ENDTRAP
+"""
+LATE_DATA = """
+VAR num n := 1; VAR num list{2} := [1, 2]; VAR num table{1, 3}; PERS num kept := 5; VAR intnum irq;
 """
 
 
@@ -216,11 +237,27 @@ LATE = """
         ('%":job1"%;', ["one"]),
         ('%"cell:job1"%;', ["one"]),
         ('%"hidden"%;', ["hidden"]),
+        ('%" job1 "%;', ["one"]),
         ('%"TPWrite"% "installed";', ["installed"]),
+        (r'%"TPWrite"% "n" \Num:=n;', ["n1"]),
+        ('%"Incr"% n; TPWrite ValToStr(n);', ["2"]),
+        ('%"Add"% list{2}, n + 1; TPWrite ValToStr(list);', ["[1,4]"]),
+        ('%"SetDO"% do1, n; TPWrite ValToStr(DOutput(do1));', ["1"]),
+        ('SetDO do1, 1; %"signal"% do1;', ["1"]),
+        ('%"lists"% list, list, table; TPWrite ValToStr(list);', ["[14,2]"]),
+        ('%"owns"% n, kept; TPWrite ValToStr(n) + ValToStr(kept);', ["27"]),
+        ('%"options"%;', [""]),
+        (r'%"options"% \a:=n \c:=n; TPWrite ValToStr(n);', ["a1", "11"]),
+        (r'%"options"% \b \d:="d";', ["bd"]),
+        ("passes;", ["", "x"]),
+        (r"passes \a:=2;", ["a2", "x"]),
+        (r"passes \b \n:=n; TPWrite ValToStr(n);", ["b", "x11", "1"]),
+        (r"by_name \n:=3; by_name;", ["y3", "y"]),
+        ('CallByVar "job", n;', ["one"]),
     ],
 )
 def test_late_binding(body: str, expected: list[str]) -> None:
-    assert texts(main(body, "VAR num n := 1;", LATE)) == expected
+    assert texts(main(body, LATE_DATA, LATE)) == expected
 
 
 @pytest.mark.parametrize(
@@ -231,10 +268,27 @@ def test_late_binding(body: str, expected: list[str]) -> None:
         ('%"job2"% 4;', "b is missing"),
         ('%"job2"% "a", n;', "a takes num, not string"),
         ('%"job1"% 4;', "it takes fewer arguments"),
+        (r'%"job1"% \a:=1;', "it takes fewer arguments"),
+        (r'%"job2"% 4, n \c:=1;', "it takes fewer arguments"),
+        ('%"job2"% 4, list;', "b takes num, not num{2}"),
+        ('%"lists"% list, list, list;', "c takes num{*,*}, not num{2}"),
+        ('%":hidden"%;', 'no procedure is named ":hidden"'),
+        ('%"other:job1"%;', 'no procedure is named "other:job1"'),
+        ('%"cell:TPWrite"% "a";', 'no procedure is named "cell:TPWrite"'),
+        ('%"rings"%;', '"rings" is not a procedure'),
+        ('%"Sin"% 1;', '"Sin" is not a procedure'),
+        ('%"CallByVar"% "job", 1;', "CallByVar by late binding is not simulated"),
+        ('%"WaitUntil"% TRUE;', "WaitUntil by late binding is not simulated"),
+        ('%"TPWrite"%;', "tptext is missing"),
+        ('%"TPWrite"% 1;', "takes string, not num"),
+        ('CallByVar "job", 3;', 'no procedure is named ":job3"'),
+        ('CallByVar "job", -1;', "CallByVar takes whole numbers from 0 on, not -1"),
+        ('CallByVar "job", 1.5;', "CallByVar takes whole numbers from 0 on, not 1.5"),
+        ('CallByVar "hidden", 0;', 'no procedure is named ":hidden0"'),
     ],
 )
 def test_late_binding_that_does_not_fit(body: str, message: str) -> None:
-    ran = run(main(body, "VAR num n := 1;", LATE))
+    ran = run(main(body, LATE_DATA, LATE))
     assert ran.fatal is not None
     assert message in ran.fatal.error.message
 

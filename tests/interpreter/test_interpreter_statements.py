@@ -2,8 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Iterable
+
 import pytest
 from interpreter_cell import TICKS, RecordingController, checked, main, run, texts
+
+from rapidsim.language.errors import Stopped
 
 DATA = "VAR num n; VAR num i; VAR num j; VAR string s;"
 
@@ -204,3 +208,64 @@ def test_an_unknown_function_is_reported_and_has_no_value() -> None:
     ran = run(main('n := AcmeForce(3); TPWrite "n" \\Num:=n;', DATA), assumes=True)
     assert ran.texts == ["n0"]
     assert ran.controller.skipped == [("AcmeForce", "skipped, 0 taken for its value")]
+
+
+class Comparing(RecordingController):
+    """Compares the state of the program at each text with that at the one before."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.program_state: Callable[[], Iterable[object]] = tuple
+        self.before: list[object] = []
+        self.is_same: list[bool] = []
+        self.ends: list[object] = []
+
+    def show(self, text: str) -> None:
+        super().show(text)
+        state = list(self.program_state())
+        self.is_same.append(state == self.before)
+        self.before = state
+        self.ends.append(state[-1])
+        if len(self.texts) == 3:
+            raise Stopped("seen enough")
+
+
+@pytest.mark.parametrize(
+    ("loop", "is_same"),
+    [
+        ('WHILE TRUE DO TPWrite "a"; ENDWHILE', True),
+        ('WHILE TRUE DO x := 1; own := 2; TPWrite "a"; ENDWHILE', True),
+        ('WHILE TRUE DO count; TPWrite "a"; ENDWHILE', False),
+        ('WHILE TRUE DO own := own + 1; TPWrite "a"; ENDWHILE', False),
+        ('WHILE TRUE DO list{3} := list{3} + 1; TPWrite "a"; ENDWHILE', False),
+        ('WHILE TRUE DO mine{2} := mine{2} + 1; TPWrite "a"; ENDWHILE', False),
+        ('WHILE TRUE DO TPWrite "a"; TPWrite "b"; ENDWHILE', False),
+        ("WHILE TRUE DO again; ENDWHILE", True),
+        ('FOR i FROM 1 TO 9 DO TPWrite "a"; ENDFOR', False),
+        ("FOR i FROM 1 TO 9 DO show i; ENDFOR", False),
+        ('WHILE TRUE DO FOR i FROM 1 TO 3 DO x := i; ENDFOR TPWrite "a"; ENDWHILE', True),
+        ("deeper 1;", False),
+    ],
+)
+def test_a_program_is_where_it_was_before(loop: str, is_same: bool) -> None:
+    controller = Comparing()
+    run(
+        main(
+            f"VAR num own; VAR num mine{{2}}; {loop}",
+            "VAR num x; VAR num list{3};",
+            'PROC count() x := x + 1; ENDPROC PROC again() TPWrite "a"; ENDPROC '
+            'PROC show(num i) TPWrite "a"; ENDPROC '
+            'PROC deeper(num v) TPWrite "a"; deeper 1; ENDPROC',
+        ),
+        controller=controller,
+    )
+    assert controller.is_same == [False, is_same, is_same]
+    assert None not in controller.ends
+
+
+@pytest.mark.parametrize(("elements", "is_compared"), [(19_000, True), (20_001, False)])
+def test_a_large_state_is_not_compared(elements: int, is_compared: bool) -> None:
+    controller = Comparing()
+    data = f"VAR num list{{{elements}}};"
+    run(main('WHILE TRUE DO list{1} := 1; TPWrite "a"; ENDWHILE', data), controller=controller)
+    assert [one is not None for one in controller.ends] == [is_compared] * 3

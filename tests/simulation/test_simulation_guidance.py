@@ -411,6 +411,15 @@ def test_what_is_missing_before_a_run_is_named(body: str) -> None:
     assert "EGM" in it.run.diagnostics[0].violation.message
 
 
+def test_a_task_has_four_identities_at_a_time() -> None:
+    data = " ".join(f"VAR egmident id{n};" for n in range(1, 6))
+    four = " ".join(f"EGMGetId id{n};" for n in range(1, 5))
+    it, _ = guided(f"{data}\n{four} EGMReset id2; EGMGetId id2;\nEGMGetId id5;", to(GOAL))
+    (found,) = [one for one in it.run.diagnostics if "EGMGetId" in one.violation.message]
+    assert "all 4 identities of the task are used" in found.violation.message
+    assert found.line == 15
+
+
 def test_another_mode_than_that_of_the_setup_has_the_event_of_the_controller() -> None:
     it, _ = guided(
         'EGMGetId id;\n EGMSetupUC ROB_1, id, "default", "x" \\Pose;\n EGMActJoint id;', to(GOAL)

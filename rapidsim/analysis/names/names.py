@@ -75,6 +75,12 @@ def data_named(reference: tree.DataReference, context: Context) -> DataLike | No
     return as_data(symbol, reference, context)
 
 
+def is_undeclared(name: tree.Name, context: Context) -> bool:
+    """Whether nothing has a name, or only an instruction that the assumed RobotWare lacks."""
+    symbol = find(name.key, context)
+    return symbol is None or _may_be_older(symbol, context)
+
+
 def _may_be_older(symbol: Symbol, context: Context) -> bool:
     """Whether an instruction is newer than the assumed RobotWare, as with a signal `Continue`."""
     if not (isinstance(symbol, LibrarySymbol) and is_procedure(symbol)):

@@ -46,9 +46,7 @@ def _conditions(module: tree.Module) -> Iterator[list[tree.Expression]]:
     inner: set[int] = set()
     for node in descendants(*module.items):
         if isinstance(node, tree.Binary) and id(node) not in inner:
-            leaves = list(_leaves(node, inner))
-            if leaves:
-                yield leaves
+            yield list(_leaves(node, inner))
 
 
 def _leaves(node: tree.Expression, inner: set[int]) -> Iterator[tree.Expression]:

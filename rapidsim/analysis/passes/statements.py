@@ -55,7 +55,7 @@ def _check_statement(statement: tree.Statement, context: Context) -> None:
             check_call(statement, context, type_of_expression)
         case tree.LateCall(routine=routine, arguments=arguments):
             require(routine, _STRING, context, type_of_expression)
-            check_unbound(arguments, context, type_of_expression)
+            check_unbound(arguments, context, type_of_expression, is_skipped=False)
         case tree.If(branches=branches, otherwise=otherwise):
             for branch in branches:
                 _check_condition(branch.condition, "IF", context)

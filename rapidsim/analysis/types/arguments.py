@@ -8,7 +8,13 @@ from __future__ import annotations
 from rapidsim.analysis.context import Context, TypeOf
 from rapidsim.analysis.names.default_data import OF_SYSTEM, is_assumed
 from rapidsim.analysis.names.name_violations import UnknownUnit
-from rapidsim.analysis.names.names import find, kind_of, report_undefined, take_for_signal
+from rapidsim.analysis.names.names import (
+    find,
+    is_undeclared,
+    kind_of,
+    report_undefined,
+    take_for_signal,
+)
 from rapidsim.analysis.parameters import ExpectedType, Formal
 from rapidsim.analysis.program import DataSymbol, ParameterSymbol, Storage, Symbol
 from rapidsim.analysis.tree_walk import descendants
@@ -55,7 +61,7 @@ def check_argument(
         The type of the argument; None if it is not known.
     """
     plain = _without_parentheses(value)
-    if isinstance(plain, tree.DataReference) and find(plain.name.key, context) is None:
+    if isinstance(plain, tree.DataReference) and is_undeclared(plain.name, context):
         signal = same_type or formal.signal
         if signal is not None:
             take_for_signal(plain, signal, context)

@@ -52,11 +52,16 @@ def type_of_call(
     return callee.result
 
 
-def check_unbound(arguments: Sequence[tree.Argument], context: Context, type_of: TypeOf) -> None:
+def check_unbound(
+    arguments: Sequence[tree.Argument],
+    context: Context,
+    type_of: TypeOf,
+    *,
+    is_skipped: bool = True,
+) -> None:
     """Check the arguments of a call whose parameters are unknown.
 
-    The call is skipped, so an undeclared name in its arguments is no error unless it looks like a
-    misspelling of a known one.
+    If the call is skipped, an undeclared name in its arguments is no error.
     """
     for argument in arguments:
         match argument:
@@ -64,16 +69,22 @@ def check_unbound(arguments: Sequence[tree.Argument], context: Context, type_of:
                 tree.RequiredArgument(value=value)
                 | tree.OptionalArgument(value=tree.Node() as value)
             ):
-                if isinstance(value, tree.Aggregate | tree.LiteralAggregate):
-                    continue
-                if isinstance(value, tree.DataReference) and find(value.name.key, context) is None:
-                    take_for_unknown(value, context)
-                    continue
-                type_of(value, context, None)
+                if not is_skipped or not _take_for_unknown(value, context):
+                    type_of(value, context, None)
             case tree.ConditionalArgument():
                 _check_conditional(argument, context)
             case _:
                 pass
+
+
+def _take_for_unknown(value: tree.Expression, context: Context) -> bool:
+    """Treat an undeclared name as unknown; return whether a value is one, or an aggregate."""
+    if isinstance(value, tree.Aggregate | tree.LiteralAggregate):
+        return True
+    if not isinstance(value, tree.DataReference) or find(value.name.key, context) is not None:
+        return False
+    take_for_unknown(value, context)
+    return True
 
 
 def _check_arguments(

@@ -67,7 +67,7 @@ def type_of_expression(
             return found
         case tree.LateFunctionCall(routine=routine, arguments=arguments):
             type_of_expression(routine, context, None)
-            check_unbound(arguments, context, type_of_expression)
+            check_unbound(arguments, context, type_of_expression, is_skipped=False)
             return None
         case tree.Placeholder():
             # An untaught target or a gap: executing it stops the program.

@@ -49,7 +49,7 @@ def lent_symbols(
             if isinstance(declared, DataSymbol) and is_signal(declared.type):
                 yield declared
         elif isinstance(node, tree.LateCall) or may_be_loaded(node, program):
-            yield from _lent_to_any(node.arguments, program)
+            yield from _lent_to_any(node.arguments, options, program)
         elif isinstance(node, tree.Call) and assigned_in_place(node, program):
             continue
         elif isinstance(node, tree.Call | tree.FunctionCall):
@@ -64,11 +64,17 @@ def lent_symbols(
                 yield from _lent_by(given, options, program)
 
 
-def _lent_to_any(arguments: Sequence[tree.Argument], program: Program) -> Iterator[Symbol]:
+def _lent_to_any(
+    arguments: Sequence[tree.Argument], options: Mapping[str, ParameterSymbol], program: Program
+) -> Iterator[Symbol]:
     """Data that a call may lend, if only a run shows which parameters take references."""
-    for argument in arguments:
-        if not isinstance(argument, tree.ConditionalArgument) and argument.value is not None:
-            yield from _lendable(argument.value, program)
+    given = (
+        BoundArgument(None, argument.present)
+        if isinstance(argument, tree.ConditionalArgument)
+        else BoundArgument(argument.value)
+        for argument in arguments
+    )
+    return _lent_by(given, options, program)
 
 
 def _lent_by(

@@ -181,8 +181,8 @@ class LateBinding:
             wants_signal = any(is_signal(of) for of in parameter.types)
             if parameter.mode is ParameterMode.IN and shape.is_reference and not wants_signal:
                 value = value.value if value is not ABSENT else None
-            elif parameter.mode is not ParameterMode.IN and not shape.is_reference:
-                value = value if isinstance(value, list) else Box(value)
+            elif parameter.mode is not ParameterMode.IN:
+                value = _lent(shape, value)
             if parameter.by_keyword:
                 options[parameter.python] = None if value is ABSENT else value
             else:
@@ -274,10 +274,16 @@ def _user_value(
     if is_signal(parameter.type):
         return value
     if parameter.mode is not ParameterMode.IN:
-        return value if shape.is_reference or isinstance(value, list) else Box(value)
+        return _lent(shape, value)
     if shape.is_reference and value is not ABSENT:
         return value.value
     return copy_array(value) if isinstance(value, list) else value
+
+
+def _lent(shape: DeferredArgument, value: Any) -> Any:
+    """An argument for a parameter that takes a reference."""
+    is_one = shape.is_reference or isinstance(value, list) or value is ABSENT
+    return value if is_one else Box(value)
 
 
 def _mismatch(name: str, reason: str) -> RapidError:
