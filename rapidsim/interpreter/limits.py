@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
+import re
 import sys
 from collections.abc import Iterator
 from contextlib import contextmanager
-from types import FrameType
 from typing import Any, cast
 
 from rapidsim.diagnostics import Diagnostic, Span, Violation
@@ -21,6 +21,7 @@ MAX_ARRAY_BYTES = 500_000_000
 of those of all routines that are active at one time.
 """
 _POINTER_BYTES = 8
+_DEPTH = re.compile(r"at the recursion depth (\d+)")
 RUNNING_DEPTH = 10_000
 """Maximum depth of Python calls while a program runs; calls of RAPID routines use no C stack."""
 TRANSLATING_DEPTH = 10_000
@@ -38,7 +39,7 @@ def recursion_limit(limit: int) -> Iterator[None]:
     that all tasks are in, the limit is not lowered.
     """
     global _contexts
-    before, wanted = sys.getrecursionlimit(), _calls_so_far() + limit
+    before, wanted = sys.getrecursionlimit(), _depth() + limit
     sys.setrecursionlimit(max(before, wanted) if _contexts else wanted)
     _contexts += 1
     try:
@@ -52,13 +53,18 @@ _contexts = 0
 """Number of contexts of `recursion_limit` that are open, of all tasks."""
 
 
-def _calls_so_far() -> int:
-    frame: FrameType | None = sys._getframe()
-    calls = 0
-    while frame is not None:
-        frame = frame.f_back
-        calls += 1
-    return calls
+def _depth() -> int:
+    """Depth of calls as Python counts it: not only of frames, which a program could count itself.
+
+    Python has no function for it, but names it when it refuses a limit.
+    """
+    try:
+        sys.setrecursionlimit(1)
+    except RecursionError as refusal:
+        if (found := _DEPTH.search(str(refusal))) is not None:
+            return int(found[1])
+        raise
+    raise AssertionError("the depth of calls is at least one")
 
 
 def array_bytes(array: list[Any]) -> int:
