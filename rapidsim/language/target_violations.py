@@ -15,6 +15,8 @@ class QuaternionNotUnit(Violation, code="M501"):
     """Whether a move requires it and it is too far off for the move to be made."""
     valueless: bool = False
     """Whether the program has persistents without a value, which another task may set."""
+    set_elsewhere: bool = False
+    """Whether it has no value unless a statement elsewhere has been executed before."""
 
     @property
     def help(self) -> str | None:
@@ -23,6 +25,11 @@ class QuaternionNotUnit(Violation, code="M501"):
             return (
                 "a persistent without an initial value has zeros unless another task gives it one: "
                 "check or run all tasks together, or write a value"
+            )
+        if self.set_elsewhere:
+            return (
+                "if the program comes here first, nothing has set it: give it a value where it is "
+                "declared, or do not move before it is set"
             )
         if self.length < TOLERATED_NORM_ERROR:
             return "teach it again, or write `[1,0,0,0]` for the orientation of the frame itself"

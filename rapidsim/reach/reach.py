@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
+from typing import TypeAlias
 
 import numpy as np
 
@@ -11,6 +12,7 @@ from rapidsim.analysis.program import Program
 from rapidsim.diagnostics import Diagnostic, Severity, Span
 from rapidsim.findings.collisions import is_of_cell
 from rapidsim.frames.transform import Array
+from rapidsim.language.target_violations import QuaternionNotUnit
 from rapidsim.motion.kinematics.arm import Mask
 from rapidsim.motion.numba_jit import jit_reconsidered
 from rapidsim.motion.robot.robot import Robot
@@ -112,6 +114,8 @@ def check_reach(
         *far_turn_findings(program, placed, ways.stances, robot, ways.broken),
         *(() if by_default else overload_findings(program, placed, robot)),
     ]
+    keys = _FindingKeys(walked)
+    found = list(_possible(walked, keys, told, found))
     of_main = ErrorRun()
     if told is not None:
         found += told.diagnostics
@@ -128,7 +132,7 @@ def check_reach(
         found = list(_not_sure(program, walked, found))
     run_of_main = of_main if told is None else told
     met = run_of_main.met
-    distinct = tuple(_FindingKeys(walked).distinct(found, run_of_main.diagnostics, met))
+    distinct = tuple(keys.distinct(found, run_of_main.diagnostics, met))
     paths, unchecked_paths = _paths(placed, ends, ways, beginning, met)
     coverage = replace(
         _coverage(walked, placed, ends, told, left_out),
@@ -228,6 +232,46 @@ def _not_sure(
         yield replace(one, assumed=True) if inside and is_reach else one
 
 
+def _possible(
+    walked: WalkedProgram,
+    keys: _FindingKeys,
+    told: RunMoves | None,
+    findings: Sequence[Diagnostic],
+) -> Iterator[Diagnostic]:
+    """Yield the findings; as assumed if the program need not come to the move with these values.
+
+    Under an unknown condition, data may have been written by another branch in an earlier round: a
+    program that serves commands gets a target with one command, and moves there with a later one.
+
+    Args:
+        walked: The program.
+        keys: Keys of findings.
+        told: A run of main: it is sure of the moves that it made, and of its error.
+        findings: Findings about moves known from the text.
+    """
+    doubtful = walked.conditional - (frozenset() if told is None else told.met)
+    of_run = () if told is None else told.diagnostics
+    sure = {keys.key(one) for one in of_run if one.severity is Severity.ERROR}
+    changing, written = doubtful & walked.unknown.keys(), doubtful & walked.written_data
+    for one in findings:
+        _, move, _ = key = keys.key(one)
+        if (changing or written) and one.severity is Severity.ERROR and key not in sure:
+            number = None if move is None else walked.written.by_place.get(move)
+            found = one.violation
+            if number in written and isinstance(found, QuaternionNotUnit) and not found.length:
+                found = QuaternionNotUnit(found.target, 0.0, found.refused, set_elsewhere=True)
+                yield replace(one, violation=found, assumed=True)
+                continue
+            if number in changing:
+                yield replace(one, assumed=True)
+                continue
+        yield one
+
+
+_Place: TypeAlias = tuple[str, int]
+"""File and offset of a statement."""
+
+
 @dataclass(eq=False)
 class _FindingKeys:
     """Keys that identify findings by rule and move: equal ones of a move are reported once.
@@ -253,7 +297,7 @@ class _FindingKeys:
             of_run: Findings of the run of main.
             met: The moves that it made, or at which it ended.
         """
-        ran = {self._key(one): one.violation for one in of_run if one.severity is Severity.ERROR}
+        ran = {self.key(one): one.violation for one in of_run if one.severity is Severity.ERROR}
         stopped = {move for _, move, _ in ran}
         times = np.bincount(self.walked.moves.instruction, minlength=1)
         made = {
@@ -262,11 +306,11 @@ class _FindingKeys:
             if number < len(times) and times[number] == 1
             for call, module in [self.walked.written[number]]
         } - stopped
-        said: set[tuple[str, object, str]] = set()
+        said: set[tuple[str, _Place | None, str]] = set()
         first: list[Diagnostic] = []
         others: list[Diagnostic] = []
         for diagnostic in diagnostics:
-            key = code, move, _ = self._key(diagnostic)
+            key = code, move, _ = self.key(diagnostic)
             ends_run = diagnostic.violation.severity is Severity.ERROR
             if key in said or (code in _SAID_BY_TEXT and not ends_run):
                 continue
@@ -282,11 +326,12 @@ class _FindingKeys:
                 first.append(replace(diagnostic, violation=known))
         return first + others
 
-    def _key(self, finding: Diagnostic) -> tuple[str, object, str]:
+    def key(self, finding: Diagnostic) -> tuple[str, _Place | None, str]:
+        """Return rule, place of the move, and event of a finding."""
         event = finding.message if is_of_cell(finding) else ""
         return finding.violation.code, self._move_of(finding.span), event
 
-    def _move_of(self, span: Span | None) -> object:
+    def _move_of(self, span: Span | None) -> _Place | None:
         if span is None:
             return None
         start = self.walked.written.start_around(span.file, span.start)

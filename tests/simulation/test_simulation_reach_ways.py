@@ -164,3 +164,47 @@ def test_arms_of_other_kinds_are_checked_too() -> None:
     )
     for robot in ("irb460", "rvm1", "irb14000", "kr10"):
         assert ("K601", 8) in checked(far, robot=robot, run=False).codes, robot
+
+
+SERVER = "WHILE TRUE DO TEST GInput(gi1) {cases} ENDTEST ENDWHILE"
+"""A program that serves commands."""
+
+
+@pytest.mark.parametrize(
+    ("data", "lines", "severity"),
+    [
+        # One command gives the target that another one moves to.
+        ("VAR robtarget p;", SERVER.format(cases="CASE 1: p:=a; CASE 2: {move}"), "warning"),
+        ("VAR robtarget p;", "TEST GInput(gi1) CASE 1: p:=a; CASE 2: {move} ENDTEST", "warning"),
+        ("VAR robtarget p;", "IF DInput(di1)=1 p:=a; IF DInput(di1)=0 p:=b; {move}", None),
+        ("VAR robtarget p;", "WHILE DInput(di1)=1 DO {move} p:=a; ENDWHILE", "warning"),
+        # Nothing gives it a value, or not before the move.
+        ("VAR robtarget p;", SERVER.format(cases="CASE 1: {move}"), "error"),
+        ("VAR robtarget p;", "{move} p:=a;", "error"),
+        ("VAR robtarget p;", "WHILE TRUE DO {move} p:=a; ENDWHILE", "error"),
+        ("VAR robtarget p;", "IF TRUE THEN {move} ENDIF p:=a;", "error"),
+    ],
+)
+def test_a_target_that_another_branch_sets_is_an_error_only_where_the_program_surely_comes(
+    data: str, lines: str, severity: str | None
+) -> None:
+    text = program(lines.format(move="MoveL p,v100,fine,tool0;"), data=data)
+    found = [one for one in checked(text, run=False).findings if one.code == "M501"]
+    assert [one.diagnostic.severity for one in found] == ([] if severity is None else [severity])
+
+
+def test_a_target_out_of_reach_until_another_branch_sets_it_is_no_error() -> None:
+    far = f"VAR robtarget p:=[[5800,0,500],[0,0,1,0],[0,0,0,0],{NO_AXES}];"
+    move = "MoveL p,v100,fine,tool0;"
+    served = program(SERVER.format(cases=f"CASE 1: p:=a; CASE 2: {move}"), data=far)
+    assert checked(served, run=False).only("K601").severity == "warning"
+    first = program(f"WHILE TRUE DO {move} p:=a; ENDWHILE", data=far)
+    assert checked(first, run=False).only("K601").severity == "error"
+
+
+def test_a_run_that_comes_to_a_target_without_value_is_sure_of_it() -> None:
+    # By value it is not: only a run knows the time of day.
+    hour = "IF GetTime(\\Hour)<24 MoveL p,v100,fine,tool0; p:=a;"
+    text = program(hour, data="VAR robtarget p;")
+    assert checked(text, run=False).only("M501").severity == "warning"
+    assert checked(text).only("M501").severity == "error"

@@ -26,13 +26,12 @@ from rapidsim.analysis.tree_walk import clauses, statements
 from rapidsim.interpreter.codegen.calls import match_arguments
 from rapidsim.interpreter.codegen.data_access import by_reference
 from rapidsim.interpreter.codegen.written_paths import bare
-from rapidsim.library import arithmetic
 from rapidsim.library.table import LibraryRoutine
 from rapidsim.library.traits import Trait
 from rapidsim.reach.dataflow.controller_stub import ControllerStub
 from rapidsim.reach.dataflow.data_places import empty_data, replaced
 from rapidsim.reach.dataflow.jumps import ProgramJumps
-from rapidsim.reach.dataflow.known_values import evaluator_of
+from rapidsim.reach.dataflow.known_values import evaluator_of, rounds
 from rapidsim.reach.dataflow.motion_settings import KnownSettings
 from rapidsim.reach.dataflow.move_instructions import MoveInstructions
 from rapidsim.reach.dataflow.move_table import MoveTable, reason_unknown
@@ -49,7 +48,6 @@ MOST_IDLE_ROUNDS = 100
 """Largest number for a loop without moves."""
 DEEPEST_CALL = 12
 ENTRY = "main"
-
 _IN_LOOP = "`{name}` changes from round to round"
 _BY_CALL = "`{name}` is written by a routine that is called in between"
 _NO_VALUE = "`{name}` has no initial value; another program sets it"
@@ -70,14 +68,14 @@ class AbstractInterpreter:
     _stack: list[AbstractFrame] = field(default_factory=list)
     _entered: set[RoutineSymbol] = field(default_factory=set)
     _constants: dict[Symbol, Known] = field(default_factory=dict)
-    _body_effects: dict[int, tuple[tree.Body, Effects]] = field(default_factory=dict)
-    """Effects by identity, with the bodies: some are slices of others, and must stay alive."""
     _turns: list[list[State]] = field(default_factory=list)
     """For each active loop, the states at which CONTINUE ended its iteration."""
     _off_path: set[int] = field(default_factory=set)
     """Statements with which interpretation off the path has begun, by identity."""
     _from_start: bool = False
     """Whether data not written on the current path certainly have their initial values."""
+    _conditions: int = 0
+    """Number of conditions that are not known, on which the current statement depends."""
     _steps_remaining: int = MOST_STATEMENTS
 
     def __post_init__(self) -> None:
@@ -114,7 +112,7 @@ class AbstractInterpreter:
         """Interpret error handlers and similar clauses, entered from anywhere in the body."""
         _, *others = clauses(routine.node)
         for body in others:
-            if not self._effects_of(body).moves:
+            if not self.effects.of_body(body).moves:
                 continue
             from_start, self._from_start = self._from_start, False
             state = State(settings=_START.forgetting(self.effects.everything.settings))
@@ -224,12 +222,6 @@ class AbstractInterpreter:
         if effects.moves:
             self.state.last = None
 
-    def _effects_of(self, body: tree.Body) -> Effects:
-        known = self._body_effects.get(id(body))
-        if known is None:
-            known = self._body_effects[id(body)] = body, self.effects.of_bodies(body)
-        return known[1]
-
     # --- statements
 
     def _execute(self, body: tree.Body) -> None:
@@ -277,7 +269,7 @@ class AbstractInterpreter:
             decided_by: Conditions that decided on the skip; the data in them are forgotten. None
                 forgets all that the routine writes.
         """
-        if not body or id(body[0]) in self._off_path or not self._effects_of(body).moves:
+        if not body or id(body[0]) in self._off_path or not self.effects.of_body(body).moves:
             return
         self._off_path.add(id(body[0]))
         kept, frame = self.state, self._stack[-1]
@@ -300,10 +292,9 @@ class AbstractInterpreter:
                 if isinstance(target, tree.DataReference | tree.Index | tree.ComponentAccess):
                     self._store(target, found)
             case tree.If(branches=branches, otherwise=otherwise):
-                ways = [(branch.condition, branch.body) for branch in branches]
-                self._choose(ways, otherwise or ())
+                self._if([(one.condition, one.body) for one in branches], otherwise or ())
             case tree.CompactIf(condition=condition, statement=inner):
-                self._choose([(condition, (inner,))], ())
+                self._if([(condition, (inner,))], ())
             case tree.Test():
                 self._test(statement)
             case tree.For():
@@ -341,52 +332,62 @@ class AbstractInterpreter:
         self.state.alive = False
 
     def _choose(
-        self, branches: Sequence[tuple[tree.Expression, tree.Body]], else_body: tree.Body
+        self,
+        ways: Iterable[tuple[bool | None, tree.Body, tree.Expression]],
+        bodies: Sequence[tree.Body],
+        *,
+        by_message: bool = False,
     ) -> None:
-        """Interpret an IF: one branch if the conditions are known, else all possible branches."""
+        """Interpret one branch if it is known which, else all possible ones.
+
+        Args:
+            ways: Whether each branch is taken if none before it is, None if unknown; the branch;
+                and what decides on it. They are evaluated in turn.
+            bodies: All branches; the last is taken if no other is.
+            by_message: Whether other branches are taken after any number of messages.
+        """
         ends: list[State] = []
-        for position, (condition, body) in enumerate(branches):
-            known = self._value(condition)
+        is_open = False
+        for position, (known, body, decided_by) in enumerate(ways):
             if known is False:
-                self._walk_off_path(body, [condition])
+                self._walk_off_path(body, [decided_by])
                 continue
             entry = self.state.copy()
-            self._execute(body)
+            is_open |= known is None
+            self._execute_if(body, is_open=is_open)
             ends.append(self.state)
             self.state = entry
             if known is True:
-                for _, other in branches[position + 1 :]:
-                    self._walk_off_path(other, [condition])
-                self._walk_off_path(else_body, [condition])
+                for other in bodies[position + 1 :]:
+                    self._walk_off_path(other, None if by_message else [decided_by])
                 break
         else:
-            self._execute(else_body)
+            self._execute_if(bodies[-1], is_open=is_open)
             ends.append(self.state)
         self.state = joined(ends)
 
+    def _execute_if(self, body: tree.Body, *, is_open: bool) -> None:
+        self._conditions += is_open
+        self._execute(body)
+        self._conditions -= is_open
+
+    def _if(self, branches: Sequence[tuple[tree.Expression, tree.Body]], last: tree.Body) -> None:
+        ways = (
+            (known if isinstance(known := self._value(condition), bool) else None, body, condition)
+            for condition, body in branches
+        )
+        self._choose(ways, [*(body for _, body in branches), last])
+
     def _test(self, test: tree.Test) -> None:
         subject = self._value(test.subject)
-        ends: list[State] = []
-        for position, case in enumerate(test.cases):
-            values = [self._value(value) for value in case.values]
-            open_ = isinstance(subject, NotStatic) or any(isinstance(v, NotStatic) for v in values)
-            if not open_ and subject not in values:
-                self._walk_off_path(case.body, [test.subject])
-                continue
-            entry = self.state.copy()
-            self._execute(case.body)
-            ends.append(self.state)
-            self.state = entry
-            if not open_:
-                # Often the code of a message: any other comes after any number of messages.
-                for other in test.cases[position + 1 :]:
-                    self._walk_off_path(other.body, None)
-                self._walk_off_path(test.default or (), None)
-                break
-        else:
-            self._execute(test.default or ())
-            ends.append(self.state)
-        self.state = joined(ends)
+        ways = ((self._is_case(subject, one), one.body, test.subject) for one in test.cases)
+        # The subject is often the code of a message.
+        self._choose(ways, [*(one.body for one in test.cases), test.default or ()], by_message=True)
+
+    def _is_case(self, subject: Known, case: tree.Case) -> bool | None:
+        values = [self._value(value) for value in case.values]
+        is_open = isinstance(subject, NotStatic) or any(isinstance(v, NotStatic) for v in values)
+        return None if is_open else subject in values
 
     def _for(self, loop: tree.For) -> None:
         bounds = [
@@ -394,14 +395,9 @@ class AbstractInterpreter:
             for bound in (loop.first, loop.last, *([] if loop.step is None else [loop.step]))
         ]
         counter = self.program.symbol_of[loop]
-        effects = self._effects_of(loop.body)
+        effects = self.effects.of_body(loop.body)
         most = MOST_ROUNDS if effects.moves else MOST_IDLE_ROUNDS
-        values: list[float] = []
-        if all(isinstance(bound, float) for bound in bounds) and self._steps_remaining > 0:
-            for value in arithmetic.steps(*bounds):
-                values.append(value)
-                if len(values) > most:
-                    break
+        values = rounds(bounds, most + 1) if self._steps_remaining > 0 else []
         if not values or len(values) > most:
             self.state.values[counter] = NotStatic(
                 f"`{loop.counter.text}` counts too far to follow"
@@ -425,8 +421,9 @@ class AbstractInterpreter:
 
     def _repeat(self, body: tree.Body, *, surely: bool, endless: bool = False) -> None:
         """Interpret a loop of unknown length: its first iteration, then one for all others."""
-        effects = self._effects_of(body)
+        effects = self.effects.of_body(body)
         entry = self.state.copy()
+        self._conditions += not surely
         after_first: int | None = entry.last
         if effects.moves:
             self._turn(body)
@@ -435,6 +432,7 @@ class AbstractInterpreter:
         self._forget_effects(effects, _IN_LOOP)
         self.state.last = after_first
         self._turn(body)
+        self._conditions -= not surely
         after = self.state
         self.state = entry
         self._forget_effects(effects, _IN_LOOP)
@@ -487,13 +485,15 @@ class AbstractInterpreter:
         if not moving:
             return
         moves, settings = recorder.moves, self.state.settings
+        is_off_path = any(frame.off_path for frame in self._stack)
         why = done if isinstance(done, str) and not moves else None
         why = why or reason_unknown(routine.name, moves, settings.uncertain)
         if why is not None:
-            is_off_path = any(frame.off_path for frame in self._stack)
             (self.table.unreached if is_off_path else self.table.unknown).setdefault(call, why)
             self.state.last = None
             return
+        if not (self._conditions or is_off_path):
+            self.table.certain.add(call)
         self._steps_remaining -= len(self.written.runs.get(call, ()))
         self.state.last = self.table.add(call, moves[0], self._stack[-1].routine, settings, before)
         if Trait.SEARCH in routine.traits:

@@ -7,6 +7,7 @@ that a run computes.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from itertools import islice
 from typing import Any, Protocol
 
 from rapidsim.analysis.evaluation import NOT_STATIC, Evaluator, Known, NotStatic
@@ -15,6 +16,7 @@ from rapidsim.interpreter.codegen.calls import BoundArgument, match_arguments
 from rapidsim.interpreter.codegen.special_forms import SPECIAL_FORMS
 from rapidsim.language import types
 from rapidsim.language.annotations import ParameterMode
+from rapidsim.library import arithmetic
 from rapidsim.library.table import LibraryRoutine
 from rapidsim.syntax import tree
 
@@ -48,6 +50,12 @@ def evaluator_of(program: Program, state: ProgramState) -> Evaluator:
                 return NotStatic(f"`{call.name.text}` returns it only while the program runs")
 
     return Evaluator(program, read, call)
+
+
+def rounds(bounds: Sequence[Known], most: int) -> list[float]:
+    """Return the first values of the counter of a FOR; none if its bounds are unknown."""
+    known = [bound for bound in bounds if isinstance(bound, float)]
+    return list(islice(arithmetic.steps(*known), most)) if len(known) == len(bounds) else []
 
 
 def argument_values(

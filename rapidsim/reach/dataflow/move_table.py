@@ -26,6 +26,8 @@ class MoveTable:
     unknown: dict[tree.Call, str] = field(default_factory=dict)
     unreached: dict[tree.Call, str] = field(default_factory=dict)
     """Reasons why moves on no path of the program are unknown; used if no path reaches them."""
+    certain: set[tree.Call] = field(default_factory=set)
+    """Instructions of known moves to which a path without unknown conditions leads."""
     _rows: list[KnownMove] = field(default_factory=list)
     _ends: list[int] = field(default_factory=list)
     """Index of the last move of the bulk statements after each; its own if there are none."""

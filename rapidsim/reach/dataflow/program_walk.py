@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from rapidsim.analysis.program import Program, does
-from rapidsim.analysis.tree_walk import clauses, statements
+from rapidsim.analysis.tree_walk import clauses, descendants, statements
 from rapidsim.library.traits import Trait
 from rapidsim.reach.dataflow.abstract_interpreter import TOO_LONG, AbstractInterpreter
 from rapidsim.reach.dataflow.known_moves import WalkedProgram
@@ -44,5 +44,15 @@ def walk_program(program: Program) -> WalkedProgram:
     if not runs.keys() <= met or runs.keys() & (table.unknown.keys() | table.unreached.keys()):
         raise RunNotFollowedError
     unknown = {written.number_of[call]: why for call, why in table.unknown.items()}
+    in_tree = written.number_of.items()
+    conditional = frozenset(number for call, number in in_tree if call not in table.certain)
+    written_data = frozenset(
+        number
+        for call, number in in_tree
+        for node in descendants(call)
+        if isinstance(node, tree.DataReference)
+        and (symbol := program.symbol_of.get(node)) is not None
+        and effects.is_written(symbol)
+    )
     settings_set = effects.everything.settings if calls else frozenset()
-    return WalkedProgram(written, moves, unknown, settings_set)
+    return WalkedProgram(written, moves, unknown, conditional, written_data, settings_set)

@@ -66,6 +66,8 @@ class ProgramEffects:
 
     program: Program
     _locals: dict[RoutineSymbol, frozenset[Symbol]] = field(default_factory=dict)
+    _of_body: dict[int, tuple[tree.Body, Effects]] = field(default_factory=dict)
+    """Effects by identity, with the bodies: some are slices of others, and must stay alive."""
 
     @cached_property
     def routines(self) -> tuple[RoutineSymbol, ...]:
@@ -112,6 +114,13 @@ class ProgramEffects:
     def of_bodies(self, *bodies: tree.Body) -> Effects:
         """Return the effects of lists of statements."""
         return self._with_calls(self._direct(statements(*bodies)), self._routine_effects)
+
+    def of_body(self, body: tree.Body) -> Effects:
+        """Return the effects of a list of statements, computed once."""
+        known = self._of_body.get(id(body))
+        if known is None:
+            known = self._of_body[id(body)] = body, self.of_bodies(body)
+        return known[1]
 
     def of_calls(self, expression: tree.Expression) -> Effects:
         """Return the effects of the calls in an expression."""
