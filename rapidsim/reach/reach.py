@@ -235,7 +235,7 @@ def _not_sure(
 def _possible(
     walked: WalkedProgram,
     keys: _FindingKeys,
-    told: RunMoves | None,
+    main_run: RunMoves | None,
     findings: Sequence[Diagnostic],
 ) -> Iterator[Diagnostic]:
     """Yield the findings; as assumed if the program need not come to the move with these values.
@@ -246,11 +246,11 @@ def _possible(
     Args:
         walked: The program.
         keys: Keys of findings.
-        told: A run of main: it is sure of the moves that it made, and of its error.
+        main_run: A run of main: it is sure of the moves that it made, and of its error.
         findings: Findings about moves known from the text.
     """
-    doubtful = walked.conditional - (frozenset() if told is None else told.met)
-    of_run = () if told is None else told.diagnostics
+    doubtful = walked.conditional - (frozenset() if main_run is None else main_run.met)
+    of_run = () if main_run is None else main_run.diagnostics
     sure = {keys.key(one) for one in of_run if one.severity is Severity.ERROR}
     changing, written = doubtful & walked.unknown.keys(), doubtful & walked.written_data
     for one in findings:

@@ -333,22 +333,22 @@ class AbstractInterpreter:
 
     def _choose(
         self,
-        ways: Iterable[tuple[bool | None, tree.Body, tree.Expression]],
+        cases: Iterable[tuple[bool | None, tree.Body, tree.Expression]],
         bodies: Sequence[tree.Body],
         *,
-        by_message: bool = False,
+        by_code: bool = False,
     ) -> None:
         """Interpret one branch if it is known which, else all possible ones.
 
         Args:
-            ways: Whether each branch is taken if none before it is, None if unknown; the branch;
+            cases: Whether each branch is taken if none before it is, None if unknown; the branch;
                 and what decides on it. They are evaluated in turn.
             bodies: All branches; the last is taken if no other is.
-            by_message: Whether other branches are taken after any number of messages.
+            by_code: Whether other branches are taken after any number of messages.
         """
         ends: list[State] = []
         is_open = False
-        for position, (known, body, decided_by) in enumerate(ways):
+        for position, (known, body, decided_by) in enumerate(cases):
             if known is False:
                 self._walk_off_path(body, [decided_by])
                 continue
@@ -359,7 +359,7 @@ class AbstractInterpreter:
             self.state = entry
             if known is True:
                 for other in bodies[position + 1 :]:
-                    self._walk_off_path(other, None if by_message else [decided_by])
+                    self._walk_off_path(other, None if by_code else [decided_by])
                 break
         else:
             self._execute_if(bodies[-1], is_open=is_open)
@@ -372,17 +372,17 @@ class AbstractInterpreter:
         self._conditions -= is_open
 
     def _if(self, branches: Sequence[tuple[tree.Expression, tree.Body]], last: tree.Body) -> None:
-        ways = (
+        cases = (
             (known if isinstance(known := self._value(condition), bool) else None, body, condition)
             for condition, body in branches
         )
-        self._choose(ways, [*(body for _, body in branches), last])
+        self._choose(cases, [*(body for _, body in branches), last])
 
     def _test(self, test: tree.Test) -> None:
         subject = self._value(test.subject)
-        ways = ((self._is_case(subject, one), one.body, test.subject) for one in test.cases)
+        cases = ((self._is_case(subject, one), one.body, test.subject) for one in test.cases)
         # The subject is often the code of a message.
-        self._choose(ways, [*(one.body for one in test.cases), test.default or ()], by_message=True)
+        self._choose(cases, [*(one.body for one in test.cases), test.default or ()], by_code=True)
 
     def _is_case(self, subject: Known, case: tree.Case) -> bool | None:
         values = [self._value(value) for value in case.values]
