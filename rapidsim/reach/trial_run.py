@@ -304,7 +304,7 @@ def _cut_off(run: Simulation, limits: RunOptions) -> str:
     spent = f"{limits.max_work_s:g} s of processor time"
     if limits.max_wall_s is not None:
         spent += f", or {limits.max_wall_s:g} s on the clock"
-    return f"it was cut off after {spent}, at {run.time_s:.3f} s; `rapidsim run` makes it"
+    return f"it was cut off after {spent}; `rapidsim run` makes it"
 
 
 def _lacked(run: Simulation, programs: Sequence[Program]) -> bool:
