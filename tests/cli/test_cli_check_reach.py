@@ -190,9 +190,8 @@ def test_a_check_whose_run_of_main_takes_too_long_says_so(
     statement = f"WHILE zero<1E9 DO Incr zero; ENDWHILE MoveJ {target},v500,fine,tool0;"
     (folder / "cell.mod").write_text(UNRUN.format(statement=statement))
     done = rapidsim("check", "cell.mod", "--robot", "irb1600", cwd=folder)
-    assert "No whole trial run: it was cut off after 0.05 s of processor time; `rapidsim" in " ".join(
-        done.out.split()
-    )
+    why = "it was cut off after 0.05 s of processor time; `rapidsim run` makes it"
+    assert f"No whole trial run: {why}" in " ".join(done.out.split())
 
 
 def test_nothing_is_said_of_a_run_that_was_made(folder: Path) -> None:
