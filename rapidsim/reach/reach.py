@@ -246,13 +246,13 @@ def _possible(
     Args:
         walked: The program.
         keys: Keys of findings.
-        main_run: A run of main: it is sure of the moves that it made, and of its error.
+        main_run: A run of main, which is sure of its error.
         findings: Findings about moves known from the text.
     """
-    doubtful = walked.conditional - (frozenset() if main_run is None else main_run.met)
     of_run = () if main_run is None else main_run.diagnostics
     sure = {keys.key(one) for one in of_run if one.severity is Severity.ERROR}
-    changing, written = doubtful & walked.unknown.keys(), doubtful & walked.written_data
+    changing = walked.conditional & walked.unknown.keys()
+    written = walked.conditional & walked.written_data
     for one in findings:
         _, move, _ = key = keys.key(one)
         if (changing or written) and one.severity is Severity.ERROR and key not in sure:

@@ -193,6 +193,22 @@ def test_a_target_that_another_branch_sets_is_an_error_only_where_the_program_su
     assert [one.diagnostic.severity for one in found] == ([] if severity is None else [severity])
 
 
+def test_a_branch_that_a_first_round_skips_is_judged_by_what_the_loop_writes() -> None:
+    # It is taken in the second round, with what the first has written.
+    lines = "WHILE n<4 DO IF n MOD 2=0 THEN p:=Offs(a,n,0,0); ELSE {move} ENDIF Incr n; ENDWHILE"
+    text = program(
+        lines.format(move="MoveL p,v100,fine,tool0;"), data="VAR robtarget p; VAR num n:=0;"
+    )
+    assert checked(text).codes == []
+    assert checked(text, run=False).codes == []
+    assert checked(text).counts == (0, 1, 0)
+    # So it is in a procedure that the loop calls.
+    called = text.replace("MoveL p,v100,fine,tool0;", "go;").replace(
+        "ENDMODULE", "PROC go() MoveL p,v100,fine,tool0; ENDPROC ENDMODULE"
+    )
+    assert checked(called, run=False).codes == []
+
+
 def test_a_target_out_of_reach_until_another_branch_sets_it_is_no_error() -> None:
     far = f"VAR robtarget p:=[[5800,0,500],[0,0,1,0],[0,0,0,0],{NO_AXES}];"
     move = "MoveL p,v100,fine,tool0;"

@@ -68,8 +68,8 @@ class AbstractInterpreter:
     _stack: list[AbstractFrame] = field(default_factory=list)
     _entered: set[RoutineSymbol] = field(default_factory=set)
     _constants: dict[Symbol, Known] = field(default_factory=dict)
-    _turns: list[list[State]] = field(default_factory=list)
-    """For each active loop, the states at which CONTINUE ended its iteration."""
+    _turns: list[tuple[tree.Body, list[State]]] = field(default_factory=list)
+    """For each active loop, its body and the states at which CONTINUE ended its iteration."""
     _off_path: set[int] = field(default_factory=set)
     """Statements with which interpretation off the path has begun, by identity."""
     _from_start: bool = False
@@ -274,6 +274,8 @@ class AbstractInterpreter:
         self._off_path.add(id(body[0]))
         kept, frame = self.state, self._stack[-1]
         self.state = State(dict(kept.values), kept.settings, None)
+        for loop, _ in self._turns:
+            self._forget_effects(self.effects.of_body(loop), _IN_LOOP)
         if decided_by is None:
             self._enter_anywhere(_ELSEWHERE)
         else:
@@ -390,10 +392,8 @@ class AbstractInterpreter:
         return None if is_open else subject in values
 
     def _for(self, loop: tree.For) -> None:
-        bounds = [
-            self._value(bound)
-            for bound in (loop.first, loop.last, *([] if loop.step is None else [loop.step]))
-        ]
+        written = (loop.first, loop.last, *([] if loop.step is None else [loop.step]))
+        bounds = [self._value(bound) for bound in written]
         counter = self.program.symbol_of[loop]
         effects = self.effects.of_body(loop.body)
         most = MOST_ROUNDS if effects.moves else MOST_IDLE_ROUNDS
@@ -442,9 +442,9 @@ class AbstractInterpreter:
 
     def _turn(self, body: tree.Body) -> None:
         """Interpret the body of a loop once, up to its end or to a CONTINUE."""
-        self._turns.append([])
+        self._turns.append((body, []))
         self._execute(body)
-        self.state = joined([*self._turns.pop(), self.state])
+        self.state = joined([*self._turns.pop()[1], self.state])
 
     # --- instructions
 
@@ -456,7 +456,7 @@ class AbstractInterpreter:
                 self._forget_effects(self.effects.everything, _BY_CALL)
             case LibrarySymbol(routine=routine) if Trait.NEXT_TURN in routine.traits:
                 if self._turns and not self._stack[-1].off_path:
-                    self._turns[-1].append(self.state.copy())
+                    self._turns[-1][1].append(self.state.copy())
                 self.state.alive = False
             case LibrarySymbol(routine=routine):
                 self._instruction(call, routine)
