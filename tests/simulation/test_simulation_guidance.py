@@ -396,19 +396,49 @@ def test_a_pose_out_of_reach_ends_the_program() -> None:
     assert it.end == "error"
 
 
+RUNS = "prepare 1;\n" + RUN.replace("0.1", "1E9").replace("HOLD,", r"HOLD,\NoWaitCond") + ";\n"
+SET_UP = 'EGMGetId id;\nEGMSetupUC ROB_1, id, "default", "x" '
+NO_IDENTITY = ": the EGM identity is not there; EGMGetId makes it"
+
+
 @pytest.mark.parametrize(
-    "body",
+    ("body", "message"),
     [
-        "EGMRunJoint id, EGM_STOP_HOLD;",
-        "EGMGetId id;\n EGMRunJoint id, EGM_STOP_HOLD;",
-        'EGMGetId id;\n EGMSetupUC ROB_1, id, "default", "x" \\Joint;\n'
-        "EGMRunJoint id, EGM_STOP_HOLD;",
+        ("EGMRunJoint id, EGM_STOP_HOLD;", f"EGMRunJoint{NO_IDENTITY}"),
+        ("EGMStreamStart id;", f"EGMStreamStart{NO_IDENTITY}"),
+        ("EGMGetId id;\nEGMReset id;\nEGMStreamStart id;", f"EGMStreamStart{NO_IDENTITY}"),
+        (
+            "EGMGetId id;\nEGMRunJoint id, EGM_STOP_HOLD;",
+            "no sensor is connected with the EGM identity; EGMSetupUC comes first",
+        ),
+        (
+            f"{SET_UP}\\Joint;\nEGMRunJoint id, EGM_STOP_HOLD;",
+            "EGMRunJoint or EGMRunPose: EGMActJoint or EGMActPose comes first",
+        ),
+        (
+            RUNS + 'EGMSetupUC ROB_1, id, "default", "x" \\Joint;',
+            "EGMSetupUC: the sensor guides the robot; EGMStop ends that",
+        ),
+        (RUNS + "EGMActJoint id;", "the sensor guides the robot; EGMStop ends that"),
+        (RUNS + f"{RUN};", "a sensor guides the robot already; EGMStop ends that"),
+        (
+            "prepare 1;\nEGMRunPose id, EGM_STOP_HOLD \\x;",
+            "EGMRunJoint follows EGMActJoint, and EGMRunPose EGMActPose (ABB 41826)",
+        ),
+        (
+            f"{SET_UP}\\Pose;\nEGMActJoint id;",
+            "EGMSetupUC has not set this EGM identity up with \\Joint (ABB 41826)",
+        ),
+        (
+            f"{SET_UP}\\Joint;\nEGMActMove id, tool0.tframe;",
+            "EGMSetupUC has not set this EGM identity up with \\PathCorr (ABB 41826)",
+        ),
     ],
 )
-def test_what_is_missing_before_a_run_is_named(body: str) -> None:
+def test_what_is_missing_before_a_run_or_comes_too_late_is_named(body: str, message: str) -> None:
     it, _ = guided(body, to(GOAL))
-    assert it.end == "error"
-    assert "EGM" in it.run.diagnostics[0].violation.message
+    (found,) = [one.violation for one in it.run.diagnostics if one.code == "R101"]
+    assert found.message + (f" ({found.cf})" if found.cf else "") == message
 
 
 def test_a_task_has_four_identities_at_a_time() -> None:
@@ -418,14 +448,6 @@ def test_a_task_has_four_identities_at_a_time() -> None:
     (found,) = [one for one in it.run.diagnostics if "EGMGetId" in one.violation.message]
     assert "all 4 identities of the task are used" in found.violation.message
     assert found.line == 15
-
-
-def test_another_mode_than_that_of_the_setup_has_the_event_of_the_controller() -> None:
-    it, _ = guided(
-        'EGMGetId id;\n EGMSetupUC ROB_1, id, "default", "x" \\Pose;\n EGMActJoint id;', to(GOAL)
-    )
-    assert it.end == "error"
-    assert it.run.diagnostics[0].violation.cf == "ABB 41826"
 
 
 def test_a_pose_is_reached_within_a_millimetre_by_default() -> None:
@@ -483,3 +505,23 @@ def test_inputs_guide_poses() -> None:
     text = HEAD + f"  PROC main()\n{body}\n  ENDPROC\nENDMODULE\n"
     it = ran(text, io=replace(SIGNALS, stimuli=(stimulus,)))
     assert it.texts == ["700", "0"]
+
+
+def test_inputs_turn_the_tool() -> None:
+    # About the axes of the world; without a signal the angle is 0.
+    stimulus = Stimulus(values={"aiX": 10.0}, at_s=0.0)
+    body = r"""    VAR pose none := [[0,0,0],[1,0,0,0]];
+    VAR robtarget after;
+    MoveAbsJ home, v1000, fine, tool0;
+    EGMGetId id;
+    EGMSetupAI ROB_1, id, "default" \Pose \aiR6rz:=aiX;
+    EGMActPose id, none, EGM_FRAME_WORLD, none, EGM_FRAME_WORLD \rx:=[-0.01,0.01]
+      \ry:=[-0.01,0.01] \rz:=[-0.01,0.01] \LpFilter:=100 \MaxSpeedDeviation:=90;
+    EGMRunPose id, EGM_STOP_HOLD \rx \ry \rz \CondTime:=0.1 \RampInTime:=0;
+    after := CRobT(\Tool:=tool0 \WObj:=wobj0);
+    TPWrite ValToStr(Round(EulerZYX(\Z, after.rot) \Dec:=1));
+    TPWrite ValToStr(Round(EulerZYX(\Y, after.rot) \Dec:=1));
+    TPWrite ValToStr(Round(EulerZYX(\X, after.rot) \Dec:=1));"""
+    text = HEAD + f"  PROC main()\n{body}\n  ENDPROC\nENDMODULE\n"
+    it = ran(text, io=replace(SIGNALS, stimuli=(stimulus,)))
+    assert it.texts == ["10", "0", "0"]
