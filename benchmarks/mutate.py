@@ -69,7 +69,7 @@ ROOMS: Mapping[str, tuple[str, ...]] = MappingProxyType(
         "library": (
             "tests/library",
             "tests/rapid",
-            "tests/simulation/test_simulation_guidance.py",
+            "tests/simulation/test_simulation_guidance*.py",
             "tests/simulation/test_simulation_home_programs.py",
             "tests/simulation/test_simulation_loading.py",
             "tests/simulation/test_simulation_sockets.py",
@@ -82,7 +82,7 @@ ROOMS: Mapping[str, tuple[str, ...]] = MappingProxyType(
             "tests/plots/test_plots_followed.py",
             "tests/simulation/test_live_jogging.py",
             "tests/simulation/test_simulation_belts.py",
-            "tests/simulation/test_simulation_guidance.py",
+            "tests/simulation/test_simulation_guidance*.py",
             "tests/simulation/test_simulation_path_correction.py",
             "tests/simulation/test_simulation_reach_cures.py",
         ),
