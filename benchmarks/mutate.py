@@ -63,6 +63,8 @@ ROOMS: Mapping[str, tuple[str, ...]] = MappingProxyType(
             "tests/rapid",
             "tests/simulation/test_simulation_error*.py",
             "tests/simulation/test_simulation_loading.py",
+            "tests/simulation/test_simulation_shared_types.py",
+            "tests/simulation/test_simulation_tasks.py",
             # Behind a debugger nothing is counted any more.
             "tests/dap",
         ),
