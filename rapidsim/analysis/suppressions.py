@@ -116,8 +116,5 @@ def _line_meant(source: Source, start: int) -> int:
 
 def _with_blanks(span: Span) -> Span:
     """Span of a comment with the blanks before it."""
-    text = span.source.text
-    start = span.start
-    while start > 0 and text[start - 1] in " \t":
-        start -= 1
-    return Span(span.source, start, span.end)
+    before = span.source.text[: span.start].rstrip(" \t")
+    return Span(span.source, len(before), span.end)

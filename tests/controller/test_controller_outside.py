@@ -3,13 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
-from pathlib import Path
 
 import pytest
 
 from rapidsim.controller.cell.datagrams import MOST_WAITING, DatagramTable, Mailbox
 from rapidsim.controller.cell.external_streams import ExternalStreams
-from rapidsim.controller.cell.home_folder import HomeFolder
 from rapidsim.controller.cell.operator import OperatorDialog, parse_key, parse_number
 from rapidsim.controller.cell.outside_datagrams import OutsideMailboxes
 from rapidsim.controller.cell.pendant import Pendant, Question
@@ -17,7 +15,6 @@ from rapidsim.controller.cell.socket_scripts import SocketScript, SocketStep
 from rapidsim.controller.cell.streams import Port, ScriptedPeer, StreamEnd, connected
 from rapidsim.language.error_numbers import ERR_SOCK_ADDR_INUSE, rapid_error
 from rapidsim.language.errors import RapidError
-from rapidsim.language.files import FileMode
 from rapidsim.language.sockets import Datagram
 
 Later = Callable[[float], None]
@@ -363,33 +360,3 @@ def test_a_question_stays_until_a_client_answers_it() -> None:
     pendant.ask("T_ROB2", "Name?", str)
     pendant.withdraw("T_ROB2")
     assert pendant.questions == {}
-
-
-def test_files_go_back_to_where_they_were(tmp_path: Path) -> None:
-    root = tmp_path / "home"
-    home = HomeFolder(root)
-    empty = home.snapshot()
-    assert empty is not None
-    assert (empty.content, empty.positions) == ({}, ())
-    log = home.open_file("log.txt", FileMode.WRITE)
-    log.write(b"one\n")
-    home.open_file("kept.txt", FileMode.WRITE).write(b"kept")
-    before = home.snapshot()
-    assert before is not None
-    log.write(b"two\n")
-    assert home.snapshot() is not None  # Written to the disk.
-    home.open_file("new/late.txt", FileMode.WRITE).write(b"late")
-    (root / "kept.txt").unlink()
-    home.restore(before)
-    assert (root / "log.txt").read_bytes() == b"one\n"
-    assert (root / "kept.txt").read_bytes() == b"kept"
-    assert not (root / "new" / "late.txt").exists()
-    log.write(b"three\n")
-    assert home.snapshot() is not None  # Written to the disk.
-    assert (root / "log.txt").read_bytes() == b"one\nthree\n"
-    home.close_all()
-    after = home.snapshot()
-    assert after is not None
-    assert after.positions == ()
-    home.restore(empty)
-    assert [one for one in root.rglob("*") if one.is_file()] == []

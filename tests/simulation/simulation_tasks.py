@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from types import MappingProxyType
 
 from simulation_program import arm
 
@@ -66,6 +67,7 @@ def ran(
     *,
     robots: tuple[str, ...] = (),
     background: tuple[str, ...] = (),
+    arms: Mapping[str, str] = MappingProxyType({}),
     cell: CellNames = NO_CELL,
     **options: object,
 ) -> Ran:
@@ -75,6 +77,7 @@ def ran(
         programs: By name of the task.
         robots: The tasks that have a robot; none means all but those of the background.
         background: The tasks that are static.
+        arms: The models of tasks whose arm is not the usual one.
         cell: What a station declares.
         options: Of the run.
     """
@@ -89,7 +92,7 @@ def ran(
         TaskSetup(
             task.name,
             task.program,
-            arm() if task.name in with_robot else None,
+            arm(arms.get(task.name, "irb1600")) if task.name in with_robot else None,
             kind=TaskKind.STATIC if task.name in background else TaskKind.NORMAL,
             written=task.written,
         )

@@ -2,18 +2,15 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 import numpy as np
 import pytest
-from simulation_program import Ran, ran
+from simulation_program import Ran
 from simulation_sensor import Devices, Script, end_s, joints_at, sensed
 
 from rapidsim.controller.cell.description import (
     CellIo,
     SignalDeclaration,
     SignalKind,
-    Stimulus,
 )
 from rapidsim.motion.guidance.feedback import Feedback, Guided, ProgramData
 from rapidsim.motion.guidance.sensor import SensorAnswer
@@ -396,19 +393,49 @@ def test_a_pose_out_of_reach_ends_the_program() -> None:
     assert it.end == "error"
 
 
+RUNS = "prepare 1;\n" + RUN.replace("0.1", "1E9").replace("HOLD,", r"HOLD,\NoWaitCond") + ";\n"
+SET_UP = 'EGMGetId id;\nEGMSetupUC ROB_1, id, "default", "x" '
+NO_IDENTITY = ": the EGM identity is not there; EGMGetId makes it"
+
+
 @pytest.mark.parametrize(
-    "body",
+    ("body", "message"),
     [
-        "EGMRunJoint id, EGM_STOP_HOLD;",
-        "EGMGetId id;\n EGMRunJoint id, EGM_STOP_HOLD;",
-        'EGMGetId id;\n EGMSetupUC ROB_1, id, "default", "x" \\Joint;\n'
-        "EGMRunJoint id, EGM_STOP_HOLD;",
+        ("EGMRunJoint id, EGM_STOP_HOLD;", f"EGMRunJoint{NO_IDENTITY}"),
+        ("EGMStreamStart id;", f"EGMStreamStart{NO_IDENTITY}"),
+        ("EGMGetId id;\nEGMReset id;\nEGMStreamStart id;", f"EGMStreamStart{NO_IDENTITY}"),
+        (
+            "EGMGetId id;\nEGMRunJoint id, EGM_STOP_HOLD;",
+            "no sensor is connected with the EGM identity; EGMSetupUC comes first",
+        ),
+        (
+            f"{SET_UP}\\Joint;\nEGMRunJoint id, EGM_STOP_HOLD;",
+            "EGMRunJoint or EGMRunPose: EGMActJoint or EGMActPose comes first",
+        ),
+        (
+            RUNS + 'EGMSetupUC ROB_1, id, "default", "x" \\Joint;',
+            "EGMSetupUC: the sensor guides the robot; EGMStop ends that",
+        ),
+        (RUNS + "EGMActJoint id;", "the sensor guides the robot; EGMStop ends that"),
+        (RUNS + f"{RUN};", "a sensor guides the robot already; EGMStop ends that"),
+        (
+            "prepare 1;\nEGMRunPose id, EGM_STOP_HOLD \\x;",
+            "EGMRunJoint follows EGMActJoint, and EGMRunPose EGMActPose (ABB 41826)",
+        ),
+        (
+            f"{SET_UP}\\Pose;\nEGMActJoint id;",
+            "EGMSetupUC has not set this EGM identity up with \\Joint (ABB 41826)",
+        ),
+        (
+            f"{SET_UP}\\Joint;\nEGMActMove id, tool0.tframe;",
+            "EGMSetupUC has not set this EGM identity up with \\PathCorr (ABB 41826)",
+        ),
     ],
 )
-def test_what_is_missing_before_a_run_is_named(body: str) -> None:
+def test_what_is_missing_before_a_run_or_comes_too_late_is_named(body: str, message: str) -> None:
     it, _ = guided(body, to(GOAL))
-    assert it.end == "error"
-    assert "EGM" in it.run.diagnostics[0].violation.message
+    (found,) = [one.violation for one in it.run.diagnostics if one.code == "R101"]
+    assert found.message + (f" ({found.cf})" if found.cf else "") == message
 
 
 def test_a_task_has_four_identities_at_a_time() -> None:
@@ -420,14 +447,6 @@ def test_a_task_has_four_identities_at_a_time() -> None:
     assert found.line == 15
 
 
-def test_another_mode_than_that_of_the_setup_has_the_event_of_the_controller() -> None:
-    it, _ = guided(
-        'EGMGetId id;\n EGMSetupUC ROB_1, id, "default", "x" \\Pose;\n EGMActJoint id;', to(GOAL)
-    )
-    assert it.end == "error"
-    assert it.run.diagnostics[0].violation.cf == "ABB 41826"
-
-
 def test_a_pose_is_reached_within_a_millimetre_by_default() -> None:
     # 0.9 mm beside the goal is near enough where \x is not given.
     head = POSE.replace(r"\x:=near \y:=near \z:=near \rx:=near \ry:=near \rz:=near ", "")
@@ -437,49 +456,3 @@ def test_a_pose_is_reached_within_a_millimetre_by_default() -> None:
     assert it.end == "ended"
     first, last = devices.sensor.heard[0], devices.sensor.heard[-1]
     assert np.allclose(first.position, last.position)
-
-
-SIGNALS = CellIo(
-    signals=(
-        SignalDeclaration("aoFirst", SignalKind.AO),
-        SignalDeclaration("giSecond", SignalKind.GI, highest=4095.0),
-        SignalDeclaration("aiX", SignalKind.AI),
-        SignalDeclaration("aiRz", SignalKind.AI),
-    )
-)
-
-
-def test_outputs_guide_joints() -> None:
-    # Axis 1 follows the output; the others have no signal and stay.
-    body = r"""    MoveAbsJ home, v1000, fine, tool0;
-    EGMGetId id;
-    EGMSetupAO ROB_1, id, "default" \Joint \aoR1x:=aoFirst;
-    EGMActJoint id \J1:=[-0.01,0.01] \LpFilter:=100 \MaxSpeedDeviation:=90;
-    SetAO aoFirst, 12;
-    EGMRunJoint id, EGM_STOP_HOLD \J1 \CondTime:=0.1 \RampInTime:=0;
-    EGMReset id;"""
-    text = HEAD + f"  PROC main()\n{body}\n  ENDPROC\nENDMODULE\n"
-    it = ran(text, io=SIGNALS)
-    assert it.end == "ended"
-    assert np.allclose(joints_at(it, end_s(it)), (12, 0, 0, 0, 30, 0), atol=0.01)
-
-
-def test_inputs_guide_poses() -> None:
-    # The TCP goes to x = 700 mm in the world; what has no signal stays.
-    stimulus = Stimulus(values={"aiX": 700.0}, at_s=0.0)
-    body = r"""    VAR robtarget before;
-    VAR robtarget after;
-    VAR pose none := [[0,0,0],[1,0,0,0]];
-    MoveAbsJ home, v1000, fine, tool0;
-    before := CRobT(\Tool:=tool0 \WObj:=wobj0);
-    EGMGetId id;
-    EGMSetupAI ROB_1, id, "default" \Pose \aiR1x:=aiX;
-    EGMActPose id, none, EGM_FRAME_WORLD, none, EGM_FRAME_WORLD \x:=[-0.01,0.01] \LpFilter:=100
-      \MaxSpeedDeviation:=90;
-    EGMRunPose id, EGM_STOP_HOLD \x \CondTime:=0.1 \RampInTime:=0;
-    after := CRobT(\Tool:=tool0 \WObj:=wobj0);
-    TPWrite ValToStr(Round(after.trans.x \Dec:=1));
-    TPWrite ValToStr(Round(after.trans.z - before.trans.z \Dec:=1));"""
-    text = HEAD + f"  PROC main()\n{body}\n  ENDPROC\nENDMODULE\n"
-    it = ran(text, io=replace(SIGNALS, stimuli=(stimulus,)))
-    assert it.texts == ["700", "0"]

@@ -13,6 +13,7 @@ from exports import ROBOT, export
 from laws import cases
 
 from rapidsim.cli.exit_codes import ExitCode
+from rapidsim.controller.moves import expected_lines
 from rapidsim.controller.moves.expected_lines import ExpectedLines
 from rapidsim.controller.moves.queued_move import QueuedMove
 from rapidsim.files import SourceFile
@@ -119,7 +120,12 @@ def test_moves_of_a_run_are_resolved_as_rows(tmp_path: Path) -> None:
     far = text.split("\n")[10]
     lines = export("inline", "raster", 50).split("\n")
     text = "\n".join([*lines[:24], far, *lines[25:]])
-    with patch.object(ExpectedLines, "take", take), patch.object(ExpectedLines, "more", more):
+    # In several arrays, one after the other.
+    with (
+        patch.object(ExpectedLines, "take", take),
+        patch.object(ExpectedLines, "more", more),
+        patch.object(expected_lines, "_FIRST_ROWS", 16),
+    ):
         _assert_the_same(text, tmp_path)
     assert rows.index(True) == 1
     # The moves after each are made together with it, as far as they are rows of the same arrays.

@@ -100,3 +100,33 @@ def test_the_slowest_of_each_move_sets_its_time() -> None:
         "TCP speed of T_ROB2, 100 mm/s",
         "programmed time of T_ROB2, 0.8 s",
     )
+
+
+@pytest.mark.parametrize("task", ["T_ROB1", "T_ROB2"])
+@pytest.mark.parametrize("text", ["stands", "stopped"])
+def test_a_task_goes_on_when_its_arm_stands(task: str, text: str) -> None:
+    """The command of the arm with the shorter smoothing is later, so that both are in step."""
+    it = two_models()
+    (robot,) = [one for one in it.run.robots if one.task == task]
+    (at_s,) = [e.time_s for e in it.run.events if e.task == task and e.message == text]
+    before, there, later = robot.trajectory.at(np.array([at_s - 0.015, at_s, at_s + 0.2])).joints
+    assert np.abs(later - there).max() < 1e-10
+    assert np.abs(there - before).max() > 1e-9
+
+
+@cache
+def two_models() -> Ran:
+    to = ("MoveAbsJ [[{},0,0,0,30,0],", JOINTS, "]{},v100,{},tool0;")
+    moves = [
+        "".join(to).format(*one)
+        for one in ((0, "", "fine"), (10, "\\ID:=1", "z50"), (20, "\\ID:=2", "fine"))
+    ]
+    moves.insert(1, "SyncMoveOn on,both;")
+    text = "\n".join([DATA, "PROC main()", *moves, 'TPWrite "stands";', "WaitTime 0.5;"])
+    stops = ["StopMove;", 'TPWrite "stopped";', "WaitTime 0.5;", "StartMove;", "SyncMoveOff off;"]
+    text = "\n".join([text, "".join(to).format(30, "\\ID:=3", "z50"), "WaitTime 0.6;", *stops])
+    text += "\nENDPROC\n"
+    return ran(
+        {"T_ROB1": text, "T_ROB2": text},
+        arms={"T_ROB1": "irb1200-5-0.9", "T_ROB2": "irb6640-180-2.55"},
+    )

@@ -1,6 +1,6 @@
 """Values of constants, and of persistents as stored, for rules.
 
-A record or an array is a tuple. A persistent counts with the value in the text, which the program
+A record is a tuple. A persistent counts with the value in the text, which the program
 starts with. No function is called.
 """
 
@@ -30,12 +30,12 @@ def known_value(
         persistents: Whether a PERS counts as known.
 
     Returns:
-        None if the value varies, is not known, or was never given in the declaration.
+        None if the value varies, is not known, is an array, or was never given in the declaration.
     """
     if expression is None:
         return None
     value = _value(expression, None, facts, persistents, 0)
-    return None if isinstance(value, NotStatic) else _as_tuples(value)
+    return None if isinstance(value, NotStatic | list) else value
 
 
 def numbers(value: object, count: int) -> tuple[float, ...] | None:
@@ -66,11 +66,3 @@ def _value(
         return _value(symbol.node.value, symbol.type, facts, persistents, depth + 1)
 
     return Evaluator(facts.analysis, read).value(expression, of)
-
-
-def _as_tuples(value: Known) -> Value | None:
-    """A value with tuples for its arrays; None if an element of one is not known."""
-    if not isinstance(value, list):
-        return value  # type: ignore[no-any-return]
-    parts = [_as_tuples(part) for part in value]
-    return None if None in parts else tuple(part for part in parts if part is not None)
