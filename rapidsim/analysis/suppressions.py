@@ -116,5 +116,8 @@ def _line_meant(source: Source, start: int) -> int:
 
 def _with_blanks(span: Span) -> Span:
     """Span of a comment with the blanks before it."""
-    before = span.source.text[: span.start].rstrip(" \t")
-    return Span(span.source, len(before), span.end)
+    text = span.source.text
+    start = span.start
+    while start > 0 and text[start - 1] in " \t":
+        start -= 1
+    return Span(span.source, start, span.end)

@@ -1,7 +1,7 @@
 """Values of constants, and of persistents as stored, for rules.
 
-A record is a tuple. A persistent counts with the value in the text, which the program
-starts with. No function is called.
+A record is a tuple. A persistent counts with the value in the text, which the program starts with.
+No function is called.
 """
 
 from __future__ import annotations
