@@ -46,13 +46,20 @@ def walk_program(program: Program) -> WalkedProgram:
     unknown = {written.number_of[call]: why for call, why in table.unknown.items()}
     in_tree = written.number_of.items()
     conditional = frozenset(number for call, number in in_tree if call not in table.certain)
-    written_data = frozenset(
+    settings_set = effects.everything.settings if calls else frozenset()
+    return WalkedProgram(
+        written, moves, unknown, conditional, _of_written_data(written, effects), settings_set
+    )
+
+
+def _of_written_data(written: MoveInstructions, effects: ProgramEffects) -> frozenset[int]:
+    """Return the numbers of the instructions with data that some statement writes."""
+    symbol_of = effects.program.symbol_of
+    return frozenset(
         number
-        for call, number in in_tree
+        for call, number in written.number_of.items()
         for node in descendants(call)
         if isinstance(node, tree.DataReference)
-        and (symbol := program.symbol_of.get(node)) is not None
+        and (symbol := symbol_of.get(node)) is not None
         and effects.is_written(symbol)
     )
-    settings_set = effects.everything.settings if calls else frozenset()
-    return WalkedProgram(written, moves, unknown, conditional, written_data, settings_set)
