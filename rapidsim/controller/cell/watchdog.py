@@ -166,11 +166,15 @@ class Watchdog:
             with suppress(_Interrupted):
                 sleep(_AGAIN_S)
 
+    def _work_left_s(self) -> float:
+        since_s = self._loads_since_s
+        if self._work_s == math.inf:
+            return math.inf
+        return self._work_ends_s - (self._clock_of_work() if since_s is None else since_s)
+
     def _watch(self) -> None:
         while True:
-            since_s = self._loads_since_s
-            now_s = self._clock_of_work() if since_s is None else since_s
-            work_left_s = self._work_ends_s - now_s
+            work_left_s = self._work_left_s()
             if work_left_s <= 0.0:
                 self._reason = f"the run was cut off after {self._work_s:g} s of processor time"
             writing_s = max(0.0, self._noted() * _WRITING_S - _FREE_S)
