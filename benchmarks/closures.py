@@ -162,7 +162,8 @@ class Interpreter:
                 which = self.value(number)
 
                 def throw(frame: Frame) -> Any:
-                    raise raised(which(frame))
+                    value = which(frame)
+                    raise raised(value, f"{value:g}")
 
                 return self.guarded(throw, handler)
             case tree.Retry():
@@ -202,8 +203,8 @@ class Interpreter:
 
         def loop(frame: Frame) -> Any:
             while test(frame):
-                controller.left -= 1
-                if controller.left < 0:
+                controller.ticks_left -= 1
+                if controller.ticks_left < 0:
                     controller.service()
                 done = body(frame)
                 if done is not None:
@@ -219,8 +220,8 @@ class Interpreter:
 
         def loop(frame: Frame) -> Any:
             for value in steps(*(part(frame) for part in parts)):
-                controller.left -= 1
-                if controller.left < 0:
+                controller.ticks_left -= 1
+                if controller.ticks_left < 0:
                     controller.service()
                 frame[slot] = value
                 done = body(frame)
@@ -387,8 +388,8 @@ class Interpreter:
             for parameter, value in zip(signature.parameters, given, strict=False)
         ]
         if signature.takes_controller:
-            asked = signature.asked_of(uniform_controller(self.controller))
-            parts.insert(0, lambda frame: asked)
+            concern = signature.concern_of(uniform_controller(self.controller))
+            parts.insert(0, lambda frame: concern)
         return lambda frame: function(*[part(frame) for part in parts])
 
     def copy(self, node: tree.Expression) -> Closure:

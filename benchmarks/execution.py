@@ -84,7 +84,7 @@ ENDMODULE
 class Ticking:
     """As much of a controller as loops need."""
 
-    left: int = 1000
+    ticks_left: int = 1000
     watches: bool = False
     errno: float = 0.0
     place: object = None
@@ -92,7 +92,7 @@ class Ticking:
 
     def service(self) -> None:
         """Begin the next slice."""
-        self.left = 1000
+        self.ticks_left = 1000
 
     def book_error_number(self) -> float:
         """The next free number."""

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import execution
 from hypothesis import given
 from hypothesis import strategies as st
 from interpreter_cell import module, run
@@ -105,3 +106,8 @@ def test_both_leave_the_same_memory(body: list[str], handler: str) -> None:
     assert (ran.fatal is not None) == failed, ran.fatal and ran.fatal.error.message
     found = {name: ran.task.value(name) for name in walker.memory}
     assert found == {name: slot.value for name, slot in walker.memory.items()}
+
+
+def test_the_loops_that_are_measured_compute_the_same() -> None:
+    # Generated code and closures of the benchmark; it raises where their memory differs.
+    assert set(execution.loop_times(1)) == set(execution.LOOPS)
