@@ -76,8 +76,7 @@ class Watchdog:
         self._work_s = math.inf if work_s is None else work_s
         self._clock_of_work = _processor_clock(get_ident())
         self._work_ends_s = self._clock_of_work() + self._work_s
-        self._loads_since_s: float | None = None
-        """Processor time at which a program began to be loaded; None while none is."""
+        """Processor time of the limit; infinite while a program is loaded."""
         self._is_over = False
         self._rests = Event()
         self._tasks: list[Ticking] = []
@@ -132,12 +131,11 @@ class Watchdog:
     @contextmanager
     def loading(self) -> Iterator[None]:
         """Leave out the processor time of the body of the context: it is that of a text's size."""
-        begun_s = self._loads_since_s = self._clock_of_work()
+        left_s, self._work_ends_s = self._work_left_s, math.inf
         try:
             yield
         finally:
-            self._work_ends_s += self._clock_of_work() - begun_s
-            self._loads_since_s = None
+            self._work_ends_s = self._clock_of_work() + left_s
 
     @contextmanager
     def interrupting(self) -> Iterator[None]:
@@ -166,15 +164,14 @@ class Watchdog:
             with suppress(_Interrupted):
                 sleep(_AGAIN_S)
 
+    @property
     def _work_left_s(self) -> float:
-        since_s = self._loads_since_s
-        if self._work_s == math.inf:
-            return math.inf
-        return self._work_ends_s - (self._clock_of_work() if since_s is None else since_s)
+        ends_s = self._work_ends_s
+        return ends_s - self._clock_of_work() if ends_s < math.inf else math.inf
 
     def _watch(self) -> None:
         while True:
-            work_left_s = self._work_left_s()
+            work_left_s = self._work_left_s
             if work_left_s <= 0.0:
                 self._reason = f"the run was cut off after {self._work_s:g} s of processor time"
             writing_s = max(0.0, self._noted() * _WRITING_S - _FREE_S)
