@@ -251,20 +251,17 @@ def _possible(
     """
     of_run = () if main_run is None else main_run.diagnostics
     sure = {keys.key(one) for one in of_run if one.severity is Severity.ERROR}
-    changing = walked.conditional & walked.unknown.keys()
-    written = walked.conditional & walked.written_data
+    is_open = walked.changing or walked.set_elsewhere
     for one in findings:
-        _, move, _ = key = keys.key(one)
-        if (changing or written) and one.severity is Severity.ERROR and key not in sure:
-            number = None if move is None else walked.written.by_place.get(move)
+        if is_open and one.severity is Severity.ERROR and (key := keys.key(one)) not in sure:
+            number = None if key[1] is None else walked.written.by_place.get(key[1])
             found = one.violation
-            if number in written and isinstance(found, QuaternionNotUnit) and not found.length:
-                found = QuaternionNotUnit(found.target, 0.0, found.refused, set_elsewhere=True)
-                yield replace(one, violation=found, assumed=True)
-                continue
-            if number in changing:
-                yield replace(one, assumed=True)
-                continue
+            is_unset = number in walked.set_elsewhere
+            if is_unset and isinstance(found, QuaternionNotUnit) and found.length == 0.0:
+                unset = QuaternionNotUnit(found.target, 0.0, found.refused, set_elsewhere=True)
+                one = replace(one, violation=unset, assumed=True)
+            elif number in walked.changing:
+                one = replace(one, assumed=True)
         yield one
 
 

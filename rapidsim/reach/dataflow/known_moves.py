@@ -184,9 +184,10 @@ class WalkedProgram:
     unknown: Mapping[int, str]
     """Reasons why moves are unknown on at least one path of the program, by the numbers of their
     instructions."""
-    conditional: frozenset[int]
-    """Numbers of the instructions to which no path leads without a condition that is not known."""
-    written_data: frozenset[int]
-    """Numbers of the instructions with data that some statement writes."""
+    changing: frozenset[int]
+    """Numbers of the instructions to which no path leads without a condition that is not known, and
+    which are unknown on a path."""
+    set_elsewhere: frozenset[int]
+    """Numbers of those without such a path whose data some statement writes."""
     settings_set: frozenset[str]
     """Fields of the settings that some instruction of the program sets."""

@@ -44,22 +44,17 @@ def walk_program(program: Program) -> WalkedProgram:
     if not runs.keys() <= met or runs.keys() & (table.unknown.keys() | table.unreached.keys()):
         raise RunNotFollowedError
     unknown = {written.number_of[call]: why for call, why in table.unknown.items()}
-    in_tree = written.number_of.items()
-    conditional = frozenset(number for call, number in in_tree if call not in table.certain)
+    conditional = {call for call, _ in calls} - table.certain
+    changing = frozenset(written.number_of[call] for call in conditional & table.unknown.keys())
+    set_elsewhere = frozenset(
+        written.number_of[call] for call in conditional if _has_written_data(call, effects)
+    )
     settings_set = effects.everything.settings if calls else frozenset()
-    return WalkedProgram(
-        written, moves, unknown, conditional, _of_written_data(written, effects), settings_set
-    )
+    return WalkedProgram(written, moves, unknown, changing, set_elsewhere, settings_set)
 
 
-def _of_written_data(written: MoveInstructions, effects: ProgramEffects) -> frozenset[int]:
-    """Return the numbers of the instructions with data that some statement writes."""
-    symbol_of = effects.program.symbol_of
-    return frozenset(
-        number
-        for call, number in written.number_of.items()
-        for node in descendants(call)
-        if isinstance(node, tree.DataReference)
-        and (symbol := symbol_of.get(node)) is not None
-        and effects.is_written(symbol)
-    )
+def _has_written_data(call: tree.Call, effects: ProgramEffects) -> bool:
+    """Whether some statement of the program writes data of an instruction."""
+    named = (node for node in descendants(call) if isinstance(node, tree.DataReference))
+    symbols = map(effects.program.symbol_of.get, named)
+    return any(symbol is not None and effects.is_written(symbol) for symbol in symbols)
