@@ -9,10 +9,9 @@ mesh that is not convex: one in each gripper, one on the table, the others close
 prints the processor time beyond the same run without bodies, per simulated second, each time in a
 new process, and that of python-fcl for the nearest pair at every step of 16 ms: for a first run,
 and for a later one, which finds the hulls of the bodies in the user's store. NumPy has one thread,
-as in the command line. In the second the
-rings are so close that the arms hit many in every move. The third compares distances and contacts
-of such a ring and a box, and of two rings, in random poses with those of python-fcl, with the
-processor time of both.
+as in the command line. In the second the rings are so close that the arms hit many in every move.
+The third compares distances and contacts of such a ring and a box, and of two rings, in random
+poses with those of python-fcl, with the processor time of both.
 """
 
 from __future__ import annotations
