@@ -213,7 +213,8 @@ class Evaluator:
                 return _COMPARISONS[operator](a, b)
             return arithmetic_result(operator, a, b)
         if isinstance(a, str) and isinstance(b, str) and operator == "+":
-            return a + b if len(a + b) <= arithmetic.MAX_STRING else arithmetic.too_long(a + b)
+            text = a + b
+            return text if len(text) <= arithmetic.MAX_STRING else arithmetic.too_long(text)
         function = _ON_POSITIONS.get((operator, type(a), type(b)))
         return NOT_STATIC if function is None else function(a, b)
 

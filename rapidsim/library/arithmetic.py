@@ -33,6 +33,7 @@ MAX_INTEGER = 2**24
 WHOLE_FROM = 2.0**52
 """From here on every double is an integer, so adding and subtracting this rounds to one."""
 MAX_STRING = 80
+"""Maximum number of characters of a RAPID string."""
 
 
 def overflow(x: float) -> NoReturn:

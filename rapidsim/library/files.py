@@ -24,9 +24,10 @@ from rapidsim.language.error_numbers import (
 from rapidsim.language.files import FileMode, Files, OpenFile
 from rapidsim.language.reference import Reference
 from rapidsim.language.single_precision import single
+from rapidsim.library.arithmetic import MAX_STRING
 from rapidsim.library.operator import option_text
 from rapidsim.library.table import routine, table
-from rapidsim.library.text import MAX_STRING, parsed_number
+from rapidsim.library.text import parsed_number
 from rapidsim.library.traits import Trait
 
 _ENCODING = "iso-8859-1"

@@ -52,9 +52,9 @@ from rapidsim.language.sockets import (
     Sockets,
     SocketState,
 )
+from rapidsim.library.arithmetic import MAX_STRING
 from rapidsim.library.raw_bytes import MOST_BYTES
 from rapidsim.library.table import routine, table
-from rapidsim.library.text import MAX_STRING
 from rapidsim.library.traits import Trait
 
 DEFAULT_TIME_S = 60.0

@@ -16,9 +16,7 @@ from rapidsim.language.error_numbers import ERR_STRTOOLNG, rapid_error
 from rapidsim.language.errors import RapidError
 from rapidsim.language.single_precision import nearest_single, single
 from rapidsim.language.types import BOOL, DNUM, NUM, STRING, ArrayOf, Record, Type, resolved
-
-MAX_STRING = 80
-"""Maximum number of characters of a RAPID string."""
+from rapidsim.library.arithmetic import MAX_STRING
 
 _NUMBER = re.compile(r"[+-]?(?:\d+(?:\.\d*)?|\.\d+)(?:E[+-]?\d+)?", re.IGNORECASE)
 _STRING = re.compile(r'"((?:[^"\\]|""|\\\\|\\[0-9A-Fa-f]{2})*)"')

@@ -27,8 +27,8 @@ from rapidsim.language.error_numbers import ERR_ARGVALERR, ERR_FILEACC, ERR_TXTN
 from rapidsim.language.errors import RapidError
 from rapidsim.language.files import FileMode
 from rapidsim.language.texts import Texts
+from rapidsim.library.arithmetic import MAX_STRING
 from rapidsim.library.table import routine, table
-from rapidsim.library.text import MAX_STRING
 
 LARGEST_FILE = 1_000_000
 """Bytes of a file of texts."""

@@ -28,7 +28,8 @@ from rapidsim.jobs.running.run_files import (
 from rapidsim.language.annotations import ParameterMode
 from rapidsim.language.single_precision import single
 from rapidsim.language.types import BOOL, DNUM, NUM, STRING, ArrayOf, Record, Type, resolved
-from rapidsim.library.text import MAX_STRING, source_text
+from rapidsim.library.arithmetic import MAX_STRING
+from rapidsim.library.text import source_text
 from rapidsim.simulation.results.simulation import End, Simulation
 from rapidsim.syntax import tree
 from rapidsim.syntax.parser import parse

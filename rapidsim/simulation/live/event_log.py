@@ -16,7 +16,7 @@ from typing import Final
 
 from rapidsim.diagnostics import Diagnostic
 from rapidsim.language.error_log import ERROR, STATE, LoggedError
-from rapidsim.library.text import MAX_STRING
+from rapidsim.library.arithmetic import MAX_STRING
 from rapidsim.simulation.live.states import ControllerState, OperatingMode, SafetyStop
 from rapidsim.values import value_class
 

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from rapidsim.analysis.program_parts import Facts
 from rapidsim.analysis.rules.facts.known_values import known_value
 from rapidsim.diagnostics import Diagnostic, Violation
-from rapidsim.library.text import MAX_STRING
+from rapidsim.library.arithmetic import MAX_STRING
 from rapidsim.syntax import tree
 
 
