@@ -11,6 +11,8 @@ from command_line import call
 HERE = Path(__file__).parent
 PROGRAMS = HERE / "programs"
 GOLDEN = HERE / "golden"
+# Tests that run in the background are deaf to Ctrl-C, and so are their children.
+HEARS = "import signal; signal.signal(signal.SIGINT, signal.default_int_handler)\n"
 
 
 def rapidsim(

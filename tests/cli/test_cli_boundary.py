@@ -8,7 +8,7 @@ import sys
 from pathlib import Path
 
 import pytest
-from cli_helper import rapidsim
+from cli_helper import HEARS, rapidsim
 
 BROKEN = """
 from greenlet import GreenletExit
@@ -91,10 +91,8 @@ def test_whatever_is_no_exit_is_a_defect(what: str) -> None:
 
 
 ENDED_WHILE_WRITING = """
-import os, signal
+import os
 from pathlib import Path
-# Tests that run in the background are deaf to Ctrl-C, and so are their children.
-signal.signal(signal.SIGINT, signal.default_int_handler)
 Path.replace = lambda written, final: os.kill(os.getpid(), signal.{name})
 from rapidsim.cli import main
 main()
@@ -112,7 +110,7 @@ def test_an_end_from_outside_leaves_no_half_file(
     (tmp_path / "a.csv").write_text("older")
     command = ["run", "a.mod", "--no-record", "--trace", "a.csv"]
     done = subprocess.run(
-        [sys.executable, "-c", ENDED_WHILE_WRITING.format(name=name), *command],
+        [sys.executable, "-c", HEARS + ENDED_WHILE_WRITING.format(name=name), *command],
         cwd=tmp_path,
         capture_output=True,
         text=True,

@@ -6,10 +6,9 @@ import sys
 from pathlib import Path
 
 import pytest
+from cli_helper import HEARS
 from exports import ROBOT, export
 
-# Tests that run in the background are deaf to Ctrl-C, and so are their children.
-HEARS = "import signal; signal.signal(signal.SIGINT, signal.default_int_handler)\n"
 SENDS_ITSELF_A_SIGNAL = """
 import os, signal, sys
 from rapidsim.cli import main
