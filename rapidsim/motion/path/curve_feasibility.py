@@ -34,6 +34,8 @@ _HALVINGS = 14
 _PAST_LIMIT = 1e-6
 _NEARLY = 0.99
 """Share of an axis's speed from which on its use is computed exactly."""
+_DIGITS = 6
+"""Decimals of that share in which places differ; the rest depends on the processor."""
 _NEAR = {"wrist": np.sin(np.radians(10.0)), "elbow": np.sin(np.radians(6.0)), "shoulder": 0.15}
 """`Singularity.distance` below which an axis may be limited by a singularity."""
 
@@ -145,9 +147,11 @@ def _hold_ups(
     usage = np.abs(np.diff(joints, axis=0)) / max_speed / np.where(counts, time, np.inf)[:, None]
     worst = usage.max(axis=-1)
     found: dict[int, SpeedBottleneck] = {}
-    # In ascending order, so that the largest of each path is stored last.
-    for k in np.argsort(worst, kind="stable")[np.searchsorted(np.sort(worst), 1.0, side="right") :]:
-        at, axis = int(k), int(usage[k].argmax())
+    over = np.flatnonzero(worst > 1.0)
+    # In ascending order, so that the largest of each path is stored last; of places that differ by
+    # rounding only, as where an axis turns evenly, the first.
+    for at in over[np.lexsort((-over, np.round(worst[over], _DIGITS)))].tolist():
+        axis = int(usage[at].argmax())
         middle = 0.5 * (joints[at] + joints[at + 1])
         found[int(row[at])] = SpeedBottleneck(
             axis + 1,
