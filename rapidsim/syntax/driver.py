@@ -19,8 +19,12 @@ from rapidsim.syntax.stored_table import rapid_table
 from rapidsim.syntax.table import ACCEPT
 from rapidsim.syntax.terminals import TERMINALS
 
-_FIRST_OF_SHAPES = frozenset({"NAME", "CONST"})
-"""First tokens of the lines that generated programs have by the thousand: calls, data."""
+_FIRST_OF_LINE = frozenset(
+    {"NAME", "CONST", "VAR", "PERS", "LOCAL", "RETURN", "IF", "ELSEIF", "WHILE", "FOR", "CASE"}
+)
+"""First tokens of the lines that have templates: statements, data, heads of blocks."""
+_CLAUSES = frozenset({"ELSEIF", "CASE"})
+"""Those that no statement begins with."""
 
 
 class _Reduction(NamedTuple):
@@ -52,22 +56,23 @@ def build_tree(tokens: Tokens, builder: Builder) -> tuple[tree.Module, ...] | No
     firsts: list[int] = []  # start offset of each value
     position = 0
     kind = kinds[0]
-    shapes, beginnings = LineTemplates(kinds), beginnings_of_statements()
+    templates, beginnings = LineTemplates(kinds), beginnings_of_statements()
     builds = [reduction.build for reduction in reductions]
     while True:
-        if kind in _FIRST_OF_SHAPES and states[-1] in beginnings:
-            found = shapes.at(position, states[-1])
-            if found is not None:
-                length, shape = found
-                values += shape.build(builds, starts, ends, text, position)
-                firsts += [starts[position + first] for first in shape.firsts]
-                states += shape.states
-                position += length
-                kind = kinds[position]
         action = actions[states[-1]].get(kind)
         if action is None:
             return None
         if action > 0:
+            if kind in _FIRST_OF_LINE and (states[-1] in beginnings or kind in _CLAUSES):
+                found = templates.at(position, states[-1])
+                if found is not None:
+                    length, template = found
+                    values += template.build(builds, starts, ends, text, position)
+                    firsts += [starts[position + first] for first in template.firsts]
+                    states += template.states
+                    position += length
+                    kind = kinds[position]
+                    continue
             start = starts[position]
             firsts.append(start)
             make = TERMINALS.get(kind)

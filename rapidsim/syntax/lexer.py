@@ -76,11 +76,9 @@ def lex(text: str, left_out: Sequence[tuple[int, int]] = ()) -> Tokens:
         matches = lexicon.pattern.finditer(text, begin, stop)
         while found := next(matches, None):
             kind = found.lastgroup or UNKNOWN
-            start, end = found.span()
-            if kind == "BLANK":
-                continue
+            start, end = found.span(kind)
             if kind == "WORD":
-                word = found.group()
+                word = text[start:end]
                 known = words.get(word)
                 if known is None:
                     known = words[word] = lexicon.words.get(word.upper(), "NAME")
@@ -88,9 +86,9 @@ def lex(text: str, left_out: Sequence[tuple[int, int]] = ()) -> Tokens:
                 if kind != "NAME" and kinds and kinds[-1] == "BACKSLASH" and kind not in _MODES:
                     kind = "NAME"
             elif kind == "MARK":
-                kind = lexicon.marks[found.group().upper()]
+                kind = lexicon.marks[text[start:end].upper()]
             elif kind == "COMMENT":
-                comments.append(tree.Comment(start, found.group()))
+                comments.append(tree.Comment(start, text[start:end]))
                 continue
             elif kind == "UNCLOSED":
                 kind = "STRING"
@@ -139,7 +137,6 @@ def _lexicon() -> _Lexicon:
         literals = rf"\[(?>(?:\s*(?>{element})\s*(?:,\s*(?!\])|(?=\])))+)\]"
         element = f"{literal}|{literals}"
     alternatives = (
-        ("BLANK", patterns["BLANK"]),
         ("WORD", patterns["NAME"]),
         ("LITERALS", literals),
         ("NUMBER", patterns["NUMBER"]),
@@ -149,7 +146,8 @@ def _lexicon() -> _Lexicon:
         ("MARK", "|".join(map(re.escape, marks))),
         (UNKNOWN, r"[^\w\s]|\w+"),
     )
-    pattern = "|".join(f"(?P<{kind}>{text})" for kind, text in alternatives)
+    tokens = "|".join(f"(?P<{kind}>{text})" for kind, text in alternatives)
+    pattern = rf"(?>(?:{patterns['BLANK']})*)(?:{tokens})"
     return _Lexicon(
         pattern=re.compile(pattern, re.IGNORECASE),
         header=re.compile(rf"(?:{patterns['BLANK']})?{patterns['HEADER']}"),

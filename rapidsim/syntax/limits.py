@@ -58,6 +58,7 @@ _ROLES = {
         ("PROC", "FUNC", "TRAP", "ENDPROC", "ENDFUNC", "ENDTRAP", "ENDMODULE", END), "routine"
     ),
 }
+_WITH_LIMITS = frozenset({"STRING", "LITERALS", "NUMBER"})
 _BEFORE_EXPRESSION = frozenset({"BECOMES", "COMMA", "IF", "ELSEIF", "WHILE", "TEST", "CASE"})
 # Only a text with one of these can contain a number too large for a dnum. They are searched
 # separately, because each pattern alone is many times as fast as all together.
@@ -104,8 +105,7 @@ def _too_deep(kinds: list[str], begin: int, blocks: list[int]) -> tuple[int, int
     depth = 0  # depth of brackets and operators
     part = begin
     divides = False  # whether the next THEN belongs to an ELSEIF
-    for index in range(begin, len(kinds)):
-        role = _ROLES.get(kinds[index])
+    for index, role in enumerate(map(_ROLES.get, kinds[begin:]), begin):
         if role is None:
             continue
         if role == "chain":
@@ -177,15 +177,15 @@ def token_limits(tokens: Tokens, source: Source) -> tuple[Diagnostic, ...]:
         return tuple(found)
     unterminated = set(tokens.unterminated)
     for kind, start, end in zip(tokens.kinds, tokens.starts, tokens.ends, strict=True):
-        if start in unterminated:
-            continue  # the intended contents of the string are unknown
-        if kind == "STRING" or kind == "LITERALS":
+        if kind not in _WITH_LIMITS or start in unterminated:
+            continue  # the intended contents of an unterminated string are unknown
+        if kind != "NUMBER":
             for offset, text in literals.parts(source.text[start:end]):
                 if text[0] == '"':
                     found += _string_faults(source, start + offset, text)
                 elif huge_numbers:
                     found += _number_faults(source, start + offset, text)
-        elif kind == "NUMBER" and huge_numbers:
+        elif huge_numbers:
             found += _number_faults(source, start, source.text[start:end])
     return tuple(found)
 

@@ -1,9 +1,9 @@
-"""Statement templates: the driver's steps for a sequence of token kinds, compiled to one function.
+"""Line templates: the driver's steps for a sequence of token kinds, compiled to one function.
 
 The steps of an LALR parser from a state depend only on the kinds of the tokens, not on their text.
-For a frequent sequence of kinds, as in generated programs, the steps are therefore taken once
-without building anything; the nodes that they would build are recorded as one Python expression.
-It calls the same functions with the same arguments in the same order.
+For a frequent sequence of kinds, a statement or the head of a block, the steps are therefore taken
+once without building anything; the nodes that they would build are recorded as one Python
+expression. It calls the same functions with the same arguments in the same order.
 """
 
 from __future__ import annotations
@@ -19,9 +19,11 @@ from rapidsim.values import value_class
 
 LONGEST = 60
 """Maximum number of tokens of a template."""
-_OFTEN = 50
-"""Number of statements after which their template is compiled, which costs as much as twenty."""
+_OFTEN = 12
+"""Number of lines after which their template is compiled, which costs as much as twelve."""
 _MOST = 1000
+_ENDS = frozenset({"SEMICOLON", "THEN", "DO", "COLON"})
+"""Last tokens of templates."""
 
 Build: TypeAlias = Callable[[Sequence[Any], list[int], list[int], str, int], list[Any]]
 """Signature `build(builds, starts, ends, text, position)`; returns the values to push."""
@@ -45,23 +47,35 @@ class LineTemplates:
     def __init__(self, kinds: list[str]) -> None:
         """Take the kinds of the tokens of a text."""
         self._kinds = kinds
-        self._met: dict[tuple[int, tuple[str, ...]], int] = {}
+        self._ends = [number for number, kind in enumerate(kinds) if kind in _ENDS]
+        self._ends.append(len(kinds) + LONGEST)
+        self._next = 0
+        """Index of the first end that is not before the last position."""
+        self._met: dict[tuple[str, ...], int] = {}
         self._known: dict[tuple[int, tuple[str, ...]], LineTemplate | None] = {}
 
     def at(self, position: int, state: int) -> tuple[int, LineTemplate] | None:
-        """Template of the statement that begins at a token, and its number of tokens."""
-        try:
-            stop = self._kinds.index("SEMICOLON", position, position + LONGEST) + 1
-        except ValueError:
+        """Template of the line that begins at a token, and its number of tokens.
+
+        Args:
+            position: Number of the token; not less than in the last call.
+            state: State of the driver.
+        """
+        ends = self._ends
+        while ends[self._next] < position:
+            self._next += 1
+        stop = ends[self._next] + 1
+        if stop - position > LONGEST:
             return None
-        key = (state, tuple(self._kinds[position : stop + 1]))
+        kinds = tuple(self._kinds[position:stop])
+        key = (state, kinds)
         shape = self._known.get(key)
         if shape is not None:
             return stop - position, shape
-        met = self._met[key] = self._met.get(key, 0) + 1
-        if met == _OFTEN:
-            self._known[key] = _shape(*key)
-        return None
+        met = self._met[kinds] = self._met.get(kinds, 0) + 1
+        if met >= _OFTEN and key not in self._known:
+            shape = self._known[key] = _shape(*key)
+        return None if shape is None else (stop - position, shape)
 
 
 @cache
@@ -75,7 +89,7 @@ def beginnings() -> frozenset[int]:
 
 @lru_cache(_MOST)
 def _shape(state: int, kinds: tuple[str, ...]) -> LineTemplate | None:
-    """Take the steps for some tokens; the last is only looked ahead at.
+    """Take the steps for some tokens, and those that follow whatever the next token is.
 
     Returns:
         None at an error, or if a construct that began before them ends.
@@ -84,13 +98,11 @@ def _shape(state: int, kinds: tuple[str, ...]) -> LineTemplate | None:
     states, values, firsts = [state], list[_Symbol](), list[int]()
     position = 0
     while True:
-        kind = kinds[position]
-        action = table.actions[states[-1]].get(kind)
+        kind = kinds[position] if position < len(kinds) else ""
+        action = table.actions[states[-1]].get(kind) if kind else _only_action(states[-1])
         if action is None or action == ACCEPT:
-            return None
+            break
         if action > 0:
-            if position == len(kinds) - 1:
-                break
             firsts.append(position)
             place = f"s[p+{position}],e[p+{position}]"
             text = f"t[s[p+{position}]:e[p+{position}]]"
@@ -108,13 +120,27 @@ def _shape(state: int, kinds: tuple[str, ...]) -> LineTemplate | None:
             values.append(_reduced(-action - 1, popped, first, position))
             firsts.append(first)
             reached = table.gotos[states[-1]][rule.origin]
-        states.append(after_passes(states[-1], reached, kinds[position]))
-    if position < len(kinds) - 1 or any(isinstance(value, list) for value in values):
+        if position < len(kinds):
+            reached = after_passes(states[-1], reached, kinds[position])
+        states.append(reached)
+    if position < len(kinds) or any(isinstance(value, list) for value in values):
         return None
+    return LineTemplate(_compiled(",".join(map(str, values))), tuple(firsts), tuple(states[1:]))
+
+
+def _only_action(state: int) -> int | None:
+    """Return the reduction of a state without any other action; None for that to a list."""
+    table = rapid_table()
+    first, *others = set(table.actions[state].values())
+    return first if not others and first < 0 and table.rules[-first - 1].build != "" else None
+
+
+@lru_cache(_MOST)
+def _compiled(values: str) -> Build:
+    """Compile the expressions of values: names of the grammar and indices, no text of a file."""
     names: dict[str, Any] = {f"make_{kind}": make for kind, make in TERMINALS.items()}
-    text = f"lambda b,s,e,t,p:[{','.join(map(str, values))}]"
-    # The text consists of names of the grammar and of indices, without any text of the file.
-    return LineTemplate(eval(text, names), tuple(firsts), tuple(states[1:]))
+    build: Build = eval(f"lambda b,s,e,t,p:[{values}]", names)
+    return build
 
 
 def _reduced(number: int, popped: list[_Symbol], first: int, position: int) -> _Symbol:
