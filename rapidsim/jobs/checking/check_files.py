@@ -117,7 +117,7 @@ def check_job(
         job.tasks,
         rules,
         choose_move_check(job),
-        even_without_moves=station.check.cycle_budget_s is not None,
+        even_without_moves=_checks_without_moves(job),
         cell=job.cell,
         check_cell=_cell_check(job),
         moves_of=made_now if moves_for is None else moves_for(job),
@@ -155,8 +155,8 @@ def _with_arm(
     job: Job, loaded: Sequence[LoadedProgram], rules: Sequence[Find]
 ) -> tuple[Job, tuple[LoadedProgram, ...]]:
     """Return the job with its arm, and its tasks as they were loaded for this choice."""
-    has_moves = any(written_move_count(one.files) for one in loaded)
-    if job.is_arm_named or not job.request.reach or not has_moves:
+    is_chosen = job.is_arm_named or not job.request.reach
+    if is_chosen or not any(written_move_count(one.files) for one in loaded):
         return job, tuple(loaded)
     # A program without moves imports no arm.
     from rapidsim.jobs.checking.best_arm import with_best_arm
@@ -178,9 +178,21 @@ def _programs(job: Job, loaded: Iterable[LoadedProgram]) -> list[Program]:
 def moves_of_task(job: Job, task: TaskFiles) -> ReachReport:
     """Return the report on the moves of one task of a job, as in `check_job`."""
     rules = detectors_of(_selection(job).includes)
-    has_budget = job.station.check.cycle_budget_s is not None
+    checks, moves = _checks_without_moves(job), choose_move_check(job)
     loaded = _loaded(task, rules, job.cell)
-    return _checked(task, loaded, rules, choose_move_check(job), has_budget, job.cell, made_now)[1]
+    return _checked(task, loaded, rules, moves, checks, job.cell, made_now)[1]
+
+
+def _checks_without_moves(job: Job) -> Callable[[Program], bool]:
+    """Return which programs without moves are checked like those with moves."""
+    if job.station.check.cycle_budget_s is not None:
+        return lambda program: True
+    return _may_end_badly if job.request.trial_run else lambda program: False
+
+
+def _may_end_badly(program: Program) -> bool:
+    """Whether a run of main can find an error in a program without moves."""
+    return ENTRY in program.routines and can_fail(program)
 
 
 def _selection(job: Job) -> Selection:
@@ -201,7 +213,7 @@ def check_tasks(
     rules: Sequence[Find] | None = None,
     moves: CheckMoves | None = None,
     *,
-    even_without_moves: bool = False,
+    even_without_moves: Callable[[Program], bool] = _may_end_badly,
     cell: CellNames = NO_CELL,
     check_cell: CheckTogether | None = None,
     moves_of: TaskMoves = made_now,
@@ -213,7 +225,7 @@ def check_tasks(
         tasks: Tasks with their files.
         rules: Rules in addition to the errors that prevent a run; None for the defaults.
         moves: Checks the moves; None leaves them unchecked.
-        even_without_moves: Whether `moves` also checks programs without moves, for instance their
+        even_without_moves: Whether `moves` also checks a program without moves, for instance its
             cycle time.
         cell: Names that the configuration declares in addition to the modules.
         check_cell: Runs all tasks together; None runs none.
@@ -300,7 +312,7 @@ def _checked(
     loaded: LoadedProgram,
     rules: Sequence[Find],
     moves: CheckMoves | None,
-    even_without_moves: bool,
+    even_without_moves: Callable[[Program], bool],
     cell: CellNames,
     moves_of: TaskMoves,
 ) -> tuple[LoadedProgram, ReachReport]:
@@ -318,11 +330,6 @@ def _checked(
         return whole, report(whole)
 
 
-def _may_end_badly(program: Program) -> bool:
-    """Whether a run of main can find an error in a program without moves."""
-    return ENTRY in program.routines and can_fail(program)
-
-
 def _disagreements(tasks: Sequence[LoadedProgram]) -> tuple[Diagnostic, ...]:
     """Return the findings on persistents that tasks share but declare differently."""
     programs = [one.program for one in tasks if one.program is not None]
@@ -334,16 +341,16 @@ def _disagreements(tasks: Sequence[LoadedProgram]) -> tuple[Diagnostic, ...]:
 
 
 def _moves_checked(
-    loaded: LoadedProgram, task: str, moves: CheckMoves | None, always: bool, cell: CellNames
+    loaded: LoadedProgram,
+    task: str,
+    moves: CheckMoves | None,
+    even_without_moves: Callable[[Program], bool],
+    cell: CellNames,
 ) -> ReachReport:
     has_moves = written_move_count(loaded.files) > 0
     why = "not requested" if moves is None else "the program cannot run as it is"
     program = loaded.program
-    if (
-        moves is not None
-        and program is not None
-        and (has_moves or always or _may_end_badly(program))
-    ):
+    if moves is not None and program is not None and (has_moves or even_without_moves(program)):
         report = moves(program, task, runs=True)
         if isinstance(report, ReachReport):
             return report
