@@ -37,6 +37,10 @@ class Atomic:
     reads_as: str | None = None
     """For a semi-value type, the name of the type its value has."""
 
+    def __hash__(self) -> int:
+        """By its name, as types are equal by name."""
+        return hash(self.name)
+
 
 @value_class(frozen=True, slots=True)
 class Component:
@@ -55,6 +59,10 @@ class Record:
     python: type[tuple[object, ...]] = field(compare=False)
     """Each task has its own class for a record of the user; the type is the same."""
 
+    def __hash__(self) -> int:
+        """By its name, without its components."""
+        return hash(self.name)
+
 
 @value_class(frozen=True, slots=True)
 class Alias:
@@ -62,6 +70,10 @@ class Alias:
 
     name: str
     of: Atomic | Record
+
+    def __hash__(self) -> int:
+        """By its name, without the type that it names."""
+        return hash(self.name)
 
 
 @value_class(frozen=True, slots=True)

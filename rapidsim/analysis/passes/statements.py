@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from rapidsim.analysis.context import Context, SymbolTable
+from rapidsim.analysis.literals import is_signal
 from rapidsim.analysis.names.names import find, kind_of, report_undefined
 from rapidsim.analysis.parameters import ExpectedType
 from rapidsim.analysis.passes.flow_violations import BadConnect
@@ -100,7 +101,7 @@ def _check_assignment(statement: tree.Assignment, context: Context) -> None:
         else:
             type_of_expression(statement.value, context, None)
         return
-    if resolved(of) in types.SIGNALS:
+    if is_signal(of):
         # A signal can be read as a number, but only instructions set it.
         require_value(target, types.Atomic(of.name, Kind.NON_VALUE), "assigned", context)
     elif require_value(target, of, "assigned", context):
