@@ -110,7 +110,7 @@ def _large_run(instant: tuple[str, int], folder: Path) -> subprocess.CompletedPr
 
 
 @pytest.mark.process
-@pytest.mark.parametrize("line", [1, 4])
+@pytest.mark.parametrize("line", [1, 3])
 def test_while_the_moves_of_a_large_program_are_made(line: int, tmp_path: Path) -> None:
     done = _large_run(("line", line), tmp_path / "here")
     assert done.returncode == 130

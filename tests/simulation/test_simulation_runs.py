@@ -17,8 +17,10 @@ from rapidsim.controller.moves import expected_lines
 from rapidsim.controller.moves.expected_lines import ExpectedLines
 from rapidsim.controller.moves.queued_move import QueuedMove
 from rapidsim.files import SourceFile
+from rapidsim.interpreter.codegen.bulk_loops import with_loops
 from rapidsim.jobs.checking import load_tasks
 from rapidsim.module_files import TaskFiles
+from rapidsim.syntax import tree
 
 _COUNT = 16
 _FEW = 10
@@ -33,21 +35,32 @@ def _text(form: str = "inline") -> str:
     return export(form, "raster", _COUNT).replace("doExtruder", "do1")
 
 
-def _at(old: str, new: str, text: str) -> str:
+def _at(old: str, new: str, text: str, number: int = _AT) -> str:
     """A program with one of its moves changed."""
     lines = text.split("\n")
-    move = 2 + _AT
+    move = 2 + number
     lines[move] = re.sub(old, lambda match: match.expand(new), lines[move], count=1)
     return "\n".join(lines)
 
 
-def _rows(text: str) -> int:
-    """How many moves are executed as rows of a run."""
+def _modules(text: str) -> list[tree.Module]:
     task = TaskFiles("T_ROB1", (SourceFile("m.mod", text, "utf-8"),))
     with patch.object(load_tasks, "MOST_STATEMENTS", _FEW):
         found = load_tasks.load_tasks([task], in_runs=True, keeps_data=False)
-    modules = (one for task in found.tasks for one in task.program.modules)
-    return sum(len(run) for one in modules for run in one.runs if not run.names)
+    return [one for task in found.tasks for one in task.program.modules]
+
+
+def _rows(text: str) -> int:
+    """How many moves are not in the tree, but rows of a run."""
+    return sum(len(run) for one in _modules(text) for run in one.runs if not run.names)
+
+
+def _in_loops(text: str) -> list[int]:
+    """How many moves each loop executes, with those in the tree."""
+    (module,) = _modules(text)
+    runs = {run.like: run for run in module.runs}
+    parts = with_loops(module.routines[-1].body, runs, text)
+    return [len(part) for part in parts if isinstance(part, tree.BulkStatements)]
 
 
 _NUMBER = re.compile(r"-?\d+\.\d+(?:e-?\d+)?")
@@ -100,6 +113,32 @@ def test_moves_are_executed_as_runs(form: str, tmp_path: Path) -> None:
     assert _rows(_text(form)) == _COUNT - 2 - 3
 
 
+def test_a_loop_executes_the_moves_around_a_run(tmp_path: Path) -> None:
+    text = export("inline", "raster", 40)
+    # The first move is a MoveJ, the last one stops.
+    assert _in_loops(text) == [38]
+    lines = text.split("\n")
+    # The rule on the distance to the origin examines this one.
+    opened = re.sub(r"\[\[[^]]*\]", "[[750,0,700]", lines[20]).replace("[0,0,0,0]", "[0,0,0,1]")
+    assert _in_loops("\n".join([*lines[:20], opened, *lines[21:]])) == [38]
+    stops = lines[20].replace("z1", "fine")
+    apart = "\n".join([*lines[:20], stops, *lines[21:]])
+    assert _in_loops(apart) == [16, 21]
+    assert _in_loops(apart.replace(stops, "    SetDO do1,1;")) == [16, 21]
+    # Moves by name are in loops without those around them.
+    assert _in_loops(export("named", "raster", 40)) == [35]
+    _assert_the_same(apart, tmp_path)
+
+
+@pytest.mark.parametrize("number", [1, 2, 3, _COUNT - 3, _COUNT - 2])
+def test_a_move_at_the_edge_of_a_run_that_fails(number: int, tmp_path: Path) -> None:
+    clause = "ERROR\nSetDO do1,1;\nTRYNEXT;\n  ENDPROC"
+    text = _at(*_FAR, _text(), number).replace("  ENDPROC", clause)
+    ended = _assert_the_same(text, tmp_path)
+    assert ended.code == 1, ended.out
+    assert f'"line": {3 + number}' in ended.out
+
+
 def test_moves_of_a_run_are_resolved_as_rows(tmp_path: Path) -> None:
     real, real_more = ExpectedLines.take, ExpectedLines.more
     rows: list[bool] = []
@@ -131,7 +170,7 @@ def test_moves_of_a_run_are_resolved_as_rows(tmp_path: Path) -> None:
     # The moves after each are made together with it, as far as they are rows of the same arrays.
     assert sum(together) > 30
     assert sum(rows) + sum(together) > 40
-    assert 0 < rows[1:].count(False) < 4
+    assert 0 < rows[1:].count(False) < expected_lines._FEWEST_ROWS
 
 
 @pytest.mark.parametrize(

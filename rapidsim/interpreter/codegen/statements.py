@@ -9,7 +9,7 @@ pass.
 from __future__ import annotations
 
 import ast
-from collections.abc import Collection, Sequence, Set
+from collections.abc import Collection, Iterator, Sequence, Set
 from dataclasses import dataclass
 from math import prod
 from typing import NoReturn
@@ -22,6 +22,7 @@ from rapidsim.analysis.program import (
     does,
 )
 from rapidsim.interpreter.codegen.ast_builder import AstBuilder
+from rapidsim.interpreter.codegen.bulk_loops import with_loops
 from rapidsim.interpreter.codegen.call_ticks import tick
 from rapidsim.interpreter.codegen.counter_positions import position_once
 from rapidsim.interpreter.codegen.data_access import whole_number
@@ -74,7 +75,14 @@ class Statements:
         """Translate a statement list."""
         if self.jumps.has_target(body):
             return self._machine(body)
-        return [python for statement in body for python in self.statement(statement)]
+        return [python for part in self._parts(body) for python in self._part(part)]
+
+    def _parts(self, body: tree.Body) -> Iterator[tree.Statement | tree.BulkStatements]:
+        module = self.expressions.names.module
+        return with_loops(body, module.runs, module.module.source.text)
+
+    def _part(self, part: tree.Statement | tree.BulkStatements) -> list[ast.stmt]:
+        return self._run(part) if isinstance(part, tree.BulkStatements) else self.statement(part)
 
     def statement(self, statement: tree.Statement) -> list[ast.stmt]:
         """Translate one statement."""
@@ -173,9 +181,6 @@ class Statements:
         variable = assigned_in_place(statement, program)
         if variable is None:
             called = self._guard(self.expressions.calls.procedure(statement, at), at)
-            run = self.expressions.names.module.runs.get(statement)
-            if run is not None:
-                return [*called, *self._run(run, at)]
             # The checker permits StartMoveRetry in ERROR clauses only.
             retries = is_start_move_retry(statement, program)
             return [*called, at.leave(at.constant(1))] if retries else called
@@ -186,8 +191,9 @@ class Statements:
             at,
         )
 
-    def _run(self, run: tree.BulkStatements, at: AstBuilder) -> list[ast.stmt]:
+    def _run(self, run: tree.BulkStatements) -> list[ast.stmt]:
         """Execute bulk moves in a loop, one move per iteration."""
+        at = self.expressions.statement = self.expressions.positions.at(run.like)
         rows, move = self.expressions.calls.row(run, at)
         turn = at.each(at.store(ROW), rows, self._guard(move, at))
         return [turn, at.set(ROW, at.constant(None))]
@@ -379,11 +385,11 @@ class Statements:
         sections: list[list[ast.stmt]] = [[]]
         starts = [at]
         with self.jumps.machine(body) as machine:
-            for statement in body:
-                if isinstance(statement, tree.Label) and statement.name.key in machine.sections:
+            for part in self._parts(body):
+                if isinstance(part, tree.Label) and part.name.key in machine.sections:
                     sections.append([])
-                    starts.append(self.expressions.positions.at(statement))
-                sections[-1].extend(self.statement(statement))
+                    starts.append(self.expressions.positions.at(part))
+                sections[-1].extend(self._part(part))
         state = f"_goto{machine.number}"
         guarded: list[ast.stmt] = []
         for number, (section, start) in enumerate(zip(sections, starts, strict=True)):
