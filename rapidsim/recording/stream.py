@@ -5,7 +5,8 @@ from __future__ import annotations
 import uuid
 import warnings
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
+from importlib import import_module
 from pathlib import Path
 
 import rerun as rr
@@ -13,6 +14,10 @@ import rerun.blueprint as rrb
 from rerun.chunk import RrdReader
 
 from rapidsim.output_files import unwritten, whole_file
+
+with suppress(ImportError):
+    # Arrow imports it in C with the first texts, where a Ctrl-C is lost; here it is not.
+    import_module("dateutil.relativedelta")
 
 APPLICATION = "rapidsim"
 _WRITER_FAILED = ("File-writer thread", "Failed to write")

@@ -126,3 +126,18 @@ def test_nothing_waits_for_a_writer_that_has_stopped(
         with pytest.raises(RuntimeError, match="has stopped"):
             stopped.flush()
     assert unregistered == [True]
+
+
+@pytest.mark.process
+def test_no_module_is_imported_where_ctrl_c_is_lost() -> None:
+    # Arrow clears whatever error an import in C raises.
+    script = (
+        "import sys, rapidsim.recording.stream, pyarrow\n"
+        "before = set(sys.modules)\n"
+        "pyarrow.array(['text'])\n"
+        "print(sorted(set(sys.modules) - before))"
+    )
+    done = subprocess.run(
+        [sys.executable, "-c", script], capture_output=True, text=True, check=True
+    )
+    assert done.stdout == "[]\n"

@@ -58,7 +58,7 @@ def _rows(text: str) -> int:
 def _in_loops(text: str) -> list[int]:
     """How many moves each loop executes, with those in the tree."""
     (module,) = _modules(text)
-    runs = {run.like: run for run in module.runs}
+    runs: dict[tree.Node, tree.BulkStatements] = {run.like: run for run in module.runs}
     parts = with_loops(module.routines[-1].body, runs, text)
     return [len(part) for part in parts if isinstance(part, tree.BulkStatements)]
 
