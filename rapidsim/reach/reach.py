@@ -224,12 +224,14 @@ def _not_sure(
     program: Program, walked: WalkedProgram, findings: Iterable[Diagnostic]
 ) -> Iterator[Diagnostic]:
     """Yield the findings; those that depend on inputs, which nothing sets in a run, as assumed."""
-    unsure = list(walked.written.spans(tainted_calls(program)))
+    unsure: list[Span] | None = None
     for one in findings:
-        span = one.span
-        inside = span is not None and any(span.begins_in(call) for call in unsure)
-        is_reach = one.violation.code.startswith("K") or one.violation.code == "C104"
-        yield replace(one, assumed=True) if inside and is_reach else one
+        if (one.violation.code.startswith("K") or one.violation.code == "C104") and one.span:
+            if unsure is None:
+                unsure = list(walked.written.spans(tainted_calls(program)))
+            if any(map(one.span.begins_in, unsure)):
+                one = replace(one, assumed=True)
+        yield one
 
 
 def _possible(

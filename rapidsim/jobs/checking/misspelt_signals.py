@@ -51,20 +51,25 @@ def find_misspelt(
         tables: Files with these tables; a backup's have been checked by its controller.
         findings: The findings of the programs, for the undeclared signals that they use.
     """
+    declared = [signal.name for signal in io.signals]
+    written, read = ({name.lower() for name in names} for names in (io.written, io.read))
+    there = {name.lower() for name in declared}
+    alone = [name for name in io.wired if name.lower() not in there | (written & read)]
+    if not alone:
+        # The words of a long text take long to list.
+        return
     used = frozenset[str]().union(*(words_of(file.text) for file in files))
     if any(Trait.LOAD in does(installed_symbol(name)) for name in used):
         # Modules loaded at run time may use more.
         return
-    declared = [signal.name for signal in io.signals]
-    known = used | {name.lower() for name in declared}
-    written, read = ({name.lower() for name in names} for names in (io.written, io.read))
     undeclared = (
         one.violation.signal for one in findings if isinstance(one.violation, UnknownSignal)
     )
-    candidates = [*declared, *undeclared, *(name for name in io.wired if name.lower() in known)]
-    for name in io.wired:
-        key = name.lower()
-        if key in known or (key in written and key in read):
+    there |= used
+    known = (name for name in io.wired if name.lower() in there)
+    candidates = [*declared, *undeclared, *known]
+    for name in alone:
+        if name.lower() in used:
             continue
         span = _place(name, tables)
         if span is not None:
