@@ -29,6 +29,11 @@ def installed_type(key: str) -> Type | None:
     return TYPES.get(key)
 
 
+def has_installed(keys: frozenset[str]) -> bool:
+    """Whether a folded name among others is predefined: one of data, a routine or a type."""
+    return any(not keys.isdisjoint(names) for names in (DATA, ROUTINES, TYPES))
+
+
 def installed_routine_names() -> Iterator[str]:
     """The names of installed instructions and functions."""
     for routine in ROUTINES.values():

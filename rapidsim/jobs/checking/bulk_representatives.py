@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from rapidsim.analysis.cell_names import CellNames
 from rapidsim.analysis.context import MOST_COMPARED
-from rapidsim.analysis.installed import installed_symbol, installed_type
+from rapidsim.analysis.installed import has_installed, installed_symbol
 from rapidsim.analysis.names.name_violations import UndefinedName, UnseenName
 from rapidsim.analysis.program import does
 from rapidsim.analysis.rules.motion.target_data import declares_axes_alike_targets
@@ -93,11 +93,13 @@ def findings_of_all(
     names = frozenset[str]().union(*map(_declared, homes))
     if _may_be_meant(names, findings) or _searches_by_name(files):
         return None
-    if not names.isdisjoint((*cell.symbols, *cell.wired)) or any(map(_is_predefined, names)):
+    if not names.isdisjoint((*cell.symbols, *cell.wired)) or has_installed(names):
         return None
-    said_in = Counter(word for file in files for word in words_of(file.source.text) & names)
-    is_alone = max(said_in.values()) == 1 and all(map(_has_uniform_axes, homes))
-    return repeated if is_alone else None
+    if len(files) > 1:
+        said_in = Counter(word for file in files for word in words_of(file.source.text) & names)
+        if max(said_in.values()) > 1:
+            return None
+    return repeated if all(map(_has_uniform_axes, homes)) else None
 
 
 def _may_be_meant(names: Iterable[str], findings: Sequence[Diagnostic]) -> bool:
@@ -131,7 +133,3 @@ def _has_uniform_axes(module: tree.Module) -> bool:
     axes = next(run.numbers_of_like[-6:].tolist() for run in module.runs if run.names)
     inside = (node for node in descendants(module) if isinstance(node, tree.Data))
     return all(declares_axes_alike_targets(node, axes) for node in inside)
-
-
-def _is_predefined(name: str) -> bool:
-    return installed_symbol(name) is not None or installed_type(name) is not None
