@@ -196,6 +196,9 @@ def _live(folder: Path, named: Sequence[Path], seconds: float) -> tuple[int, str
 def _checked(_folder: Path, named: Sequence[Path], _seconds: float) -> tuple[int, str]:
     """Whether a check finds that the run ends with an error, as the journal of a run says it."""
     ended, _ = send("check", *named, "--output-format", "json")
+    if '"main_left_out"' in ended.out:
+        # It says why it ran no main, or not all of it.
+        return ExitCode.LIMIT, ""
     end = "error" if ended.code == ExitCode.FINDINGS else ""
     return ended.code, json.dumps({"end": end, "models": {}})
 
