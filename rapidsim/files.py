@@ -40,6 +40,8 @@ MOST_BYTES = 200_000_000
 # Never block on a pipe; Windows has none.
 _NEVER_WAIT = getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_BINARY", 0)
 
+_LFS_POINTER = b"version https://git-lfs.github.com/spec/"
+"""Beginning of the text that a checkout without Git LFS has in the place of a large file."""
 _AS_NEAR = 0.1
 """Difference of similarity below which two names are considered equally near."""
 
@@ -92,13 +94,16 @@ def input_bytes(file: Path) -> bytes:
     """Return the contents of a file that the user names; the only function that opens such files.
 
     Raises:
-        InputError: If it is missing, unreadable, too large, or no file but a folder, pipe or
-            device.
+        InputError: If it is missing, unreadable, too large, not fetched, or no file but a folder,
+            pipe or device.
     """
     try:
         require_regular(file)
         with os.fdopen(os.open(file, os.O_RDONLY | _NEVER_WAIT), "rb") as stream:
-            return _bounded(stream, str(file))
+            content = _bounded(stream, str(file))
+        if content.startswith(_LFS_POINTER):
+            raise InputError(f"{file} is a Git LFS pointer, without content", "run `git lfs pull`")
+        return content
     except OSError as error:
         raise unreadable(file, error) from error
     except ValueError as error:

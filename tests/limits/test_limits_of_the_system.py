@@ -100,6 +100,23 @@ def test_an_entry_of_the_store_that_is_none(text: str, tmp_path: Path) -> None:
     assert store.value("key") is None
 
 
+@pytest.mark.parametrize("name", ["job.mod", "cell.rspag", "EIO.cfg", "table.stl"])
+def test_a_file_that_git_lfs_has_not_fetched(name: str, tmp_path: Path) -> None:
+    pointer = f"version https://git-lfs.github.com/spec/v1\noid sha256:{64 * '0'}\nsize 4711\n"
+    (tmp_path / name).write_text(pointer)
+    station = (
+        '[robot]\nmodel = "irb120"\n[[object]]\nname = "table"\nmesh = "table.stl"\nunit = "mm"\n'
+    )
+    if name == "table.stl":
+        (tmp_path / "rapidsim.toml").write_text(station)
+    (tmp_path / "plain.mod").write_text(PROGRAM)
+    of_cell = "plain.mod" if name == "table.stl" else name
+    ended = call("init" if name.endswith("cfg") else "check", of_cell, cwd=tmp_path)
+    assert ended.code == 2
+    assert f"{name} is a Git LFS pointer, without content\n" in ended.err
+    assert ended.err.endswith("help: run `git lfs pull`\n")
+
+
 @pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="this system has no such pipes")
 def test_nobody_waits_for_a_pipe(tmp_path: Path) -> None:
     os.mkfifo(tmp_path / "key.json")
