@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 from dataclasses import field
+from pathlib import PurePath
 
 from rapidsim.language.robotware import RobotWare
 from rapidsim.language.types import Type
@@ -56,6 +57,11 @@ class CellNames:
     def stops_at_unresolved(self) -> bool:
         """Whether calls of undeclared routines fail, as no unread module may declare them."""
         return self.refers_late and not self.unseen
+
+    def is_unread(self, module: str) -> bool:
+        """Whether a module of the task cannot be read here; its file has its name."""
+        files = (PurePath(one.partition(" (")[0]) for one in self.unseen)
+        return module.strip().lower() in (file.stem.lower() for file in files)
 
     def find(self, key: str) -> ConfiguredSymbol | None:
         """Return the symbol of a folded name."""

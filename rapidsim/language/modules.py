@@ -39,6 +39,10 @@ class Modules(Protocol):
         """Whether there is a module of a name, ignoring case."""
         ...
 
+    def is_unread(self, name: str) -> bool:
+        """Whether there is a module of a name, in any case, whose text is not known."""
+        ...
+
     def load(self, source: Source, path: str, *, check_references: bool) -> None:
         """Load the modules of a file into the program, with their initial values.
 

@@ -67,7 +67,7 @@ class SensorVarData(NamedTuple):
 class MenuData(NamedTuple):
     """A line of the Production Manager's menu, with its procedure."""
 
-    text: str
+    description: str
     image: str
     proc: str
     plccode: float

@@ -80,7 +80,8 @@ def _file_seconds(controller: Controller, path: str) -> int:
 def _module_seconds(controller: Controller, name: str) -> int:
     if not controller.modules.has(name):
         raise rapid_error(ERR_MOD_NOTLOADED, f"no module {name} is loaded")
-    path = controller.modules.saved(name).loaded_from
+    is_unread = controller.modules.is_unread(name)
+    path = None if is_unread else controller.modules.saved(name).loaded_from
     return _since_epoch(controller, 0.0 if path is None else controller.files.loaded_s(path))
 
 

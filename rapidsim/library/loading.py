@@ -125,6 +125,9 @@ def un_load(
 
 def erase_module(controller: Controller, module_name: String) -> None:
     """Remove a module by its name, however it was loaded."""
+    if controller.modules.is_unread(module_name):
+        controller.fidelity.not_simulated("EraseModule of a module that cannot be read", "skipped")
+        return
     with controller.clock.long_work():
         controller.modules.erase(module_name)
 
@@ -152,6 +155,9 @@ def save(
     """Save a module to a file, with the present values of its persistents."""
     if means_another(controller.tasks, task_ref, task_name):
         controller.fidelity.not_simulated(r"Save \TaskRef, \TaskName", "skipped")
+        return
+    if controller.modules.is_unread(module_name):
+        controller.fidelity.not_simulated("Save of a module that cannot be read", "skipped")
         return
     module = controller.modules.saved(module_name)
     path = module.loaded_from if file_path is None else joined_path(file_path, file)

@@ -71,7 +71,12 @@ class TaskModules:
 
     def has(self, name: str) -> bool:
         """Whether there is a module of that name, in any case."""
-        return any(entry.module.name.key == name.lower() for entry in self._entries)
+        is_loaded = any(entry.module.name.key == name.lower() for entry in self._entries)
+        return is_loaded or self.is_unread(name)
+
+    def is_unread(self, name: str) -> bool:
+        """Whether there is a module of that name, in any case, that cannot be read here."""
+        return self._linked.program.cell.is_unread(name)
 
     def load(self, source: Source, path: str, *, check_references: bool) -> None:
         """Load the modules of a file; raises the errors of `Modules.load`."""

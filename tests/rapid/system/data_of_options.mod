@@ -6,7 +6,7 @@ MODULE data_of_options
   TASK PERS menudata menu:=["Home","","go_home",1,"",255,TRUE,1,0,FALSE,210];
 
   PROC main()
-    TPWrite menu.text;                      ! -> Home
+    TPWrite menu.description;                      ! -> Home
     TPWrite ValToStr(device.state=STATE_UNDEFINED); ! -> TRUE
     SiConnect device;                       ! warning: R104
     SkipWarn;
