@@ -83,6 +83,8 @@ OF_OPTIONS: Final = frozenset(
         *("weavestartdata", "supervtimeouts", "processtimes", "restartblkdata", "flypointdata"),
         *("flystartdata", "advseamdata", "forcedata", "gundata", "simdata", "smeqdata", "smeqtype"),
         *("spotdata", "equalizedata", "daintdata", "multidata"),
+        # Torch calibration, Production Manager
+        *("be_device", "be_scan", "be_tooldesign", "partdata", "ee_event"),
         # Dispensing, picking, force control
         *("beaddata", "equipdata", "itmtgt", "selectiondata", "sortdata"),
         *("fcboxvol", "fccondstatus", "fccylindvol", "fcdamping", "fcforcevector", "fcframe"),
