@@ -100,6 +100,11 @@ def test_reach_and_payload_of_a_type_stand_in_either_order(name: str) -> None:
     assert catalogue_name(name) == "irb910sc-3-0.55"
 
 
+def test_the_letter_of_an_arm_on_the_floor_is_no_part_of_its_model() -> None:
+    assert catalogue_name("ROB1_1300F_1.4_7") == "irb1300-7-1.4"
+    assert catalogue_name("ROB1_1300G_1.4_7") is None
+
+
 def test_a_backup_bounds_an_axis_that_slides_in_metres() -> None:
     robot = StationRobot(name="irb910sc", bounds=((-1.0, 1.0), None, (-0.1, -0.02), None))
     arm = robot.fitted(load_robot("irb910sc"))

@@ -72,7 +72,8 @@ def catalogue_name(type_name: str) -> str | None:
     found: dict[str, str] = {}
     for name in robot_names():
         parts = _NAME.fullmatch(name)
-        if parts is None or parts[2] != model or parts[5] != side:
+        # ROB1_1300F_1.4_7 stands on the floor.
+        if parts is None or model.removesuffix("f") != parts[2] or parts[5] != side:
             continue
         payload, reach = float(parts[3]), float(parts[4])
         # Some types have the payload before the reach, as the arms' names do.
