@@ -5,6 +5,9 @@ ArcL and ArcLEnd weld with `weld_speed` if the weld data define one, and ArcLEnd
 and cooling take effect. No arc is simulated: weaving, tracking and corrections do not move the
 torch, which the run reports. Speeds of weld data are in mm/s.
 
+ArcMoveExtJ moves external axes, synchronised with the robots that weld on them; its \ID and \Start
+are those of programs in use.
+
 Source: Application manual Arc and Arc Sensor, "ArcL", "ArcLStart", "ArcLEnd", "seamdata",
 "welddata".
 """
@@ -18,14 +21,27 @@ from typing import Unpack
 from rapidsim.language.annotations import Num, Pers, String, Switch, TriggData, Var
 from rapidsim.language.arc_data import SeamData, TrackData, WeaveData, WeldData
 from rapidsim.language.controller import Controller
-from rapidsim.language.data import FINE, RobTarget, SpeedData, ToolData, ZoneData
+from rapidsim.language.data import (
+    FINE,
+    JointTarget,
+    RobTarget,
+    SpeedData,
+    ToolData,
+    ZoneData,
+)
 from rapidsim.language.moves import Interpolation
 from rapidsim.library.fidelity_notes import note_ignored_options
-from rapidsim.library.motion import MoveOptions, build_move, move_variants
-from rapidsim.library.table import table
+from rapidsim.library.motion import (
+    MoveOptions,
+    build_move,
+    move_external_axes,
+    move_variants,
+)
+from rapidsim.library.table import routine, table
 from rapidsim.library.traits import Trait
 
 INSTEAD = "a move with the speed of the weld and the times of the seam, without an arc"
+_INSTEAD_OF_AXES = "a move of the external axes, without an arc"
 
 
 class Phase(Enum):
@@ -83,6 +99,20 @@ def _arc(phase: Phase) -> Callable[[str, Interpolation], Callable[..., None]]:
     return body_of
 
 
+def arc_move_ext_j(
+    controller: Controller,
+    to_joint_pos: JointTarget,
+    speed: SpeedData,
+    zone: ZoneData,
+    *,
+    start: Switch = False,
+    **options: Unpack[MoveOptions],
+) -> None:
+    """Move the external axes only, with robots that weld."""
+    controller.fidelity.not_simulated("ArcMoveExtJ", _INSTEAD_OF_AXES)
+    move_external_axes(controller, "ArcMoveExtJ", to_joint_pos, speed, zone, options)
+
+
 def _dwell_s(phase: Phase, seam: SeamData) -> float:
     """Time [s] that the torch waits at the end of a move."""
     if phase is Phase.START:
@@ -121,5 +151,11 @@ ARC = table(
             does=Trait.WAIT,
             treated_as=INSTEAD,
         )
-    )
+    ),
+    routine(
+        "ArcMoveExtJ",
+        arc_move_ext_j,
+        r"ToJointPos \ID \UseEOffs Speed \T Zone \Inpos \Start",
+        treated_as=_INSTEAD_OF_AXES,
+    ),
 )

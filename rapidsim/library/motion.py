@@ -162,10 +162,22 @@ def move_ext_j(
     **options: Unpack[MoveOptions],
 ) -> None:
     """Move the external axes only; the robot keeps its position on them."""
+    move_external_axes(controller, "MoveExtJ", to_joint_pos, speed, zone, options)
+
+
+def move_external_axes(
+    controller: Controller,
+    name: str,
+    to_joint_pos: JointTarget,
+    speed: SpeedData,
+    zone: ZoneData,
+    options: MoveOptions,
+) -> None:
+    """Move the external axes by an instruction of this name."""
     to = with_offsets(controller.motion, to_joint_pos, wanted=options.get("use_eoffs", False))
     how, sync_id = Interpolation.EXTERNAL_AXES, options.pop("id_", None)
     controller.motion.move(
-        build_move(controller, "MoveExtJ", how, to, speed, zone, None, options, sync_id)
+        build_move(controller, name, how, to, speed, zone, None, options, sync_id)
     )
 
 

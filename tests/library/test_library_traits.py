@@ -134,7 +134,8 @@ def test_what_follows_from_parameters_is_not_forgotten() -> None:
     assert {"SyncMoveOn", "UINumTune", "RMQReadWait", "IOEnable"} <= names(Trait.WAIT)
     assert {"TPReadFK", "UINumTune"} <= names(Trait.ASK)
     assert {"ArcL", "EGMMoveC", "ContactL"} <= names(Trait.CARTESIAN) <= names(Trait.MOVE)
-    assert names(Trait.AXES) == {"MoveAbsJ", "MoveExtJ", "SearchExtJ", "TriggAbsJ"}
+    by_axes = {"ArcMoveExtJ", "MoveAbsJ", "MoveExtJ", "SearchExtJ", "TriggAbsJ"}
+    assert names(Trait.AXES) == by_axes
     assert ROUTINES["syncmoveon"].limit == "TimeOut"
     # It is given with each call.
     assert ROUTINES["ioenable"].limit is None

@@ -148,6 +148,19 @@ def test_axes_keep_their_limits_and_programmed_speeds() -> None:
     assert run.run.moves[1].length_m == 0.0
 
 
+def test_external_axes_move_alike_where_others_weld() -> None:
+    data = "  CONST jointtarget far:=[[0,0,0,0,30,0],[2000,90,9E9,9E9,9E9,9E9]];\n"
+    plain, welding = (
+        ran(program(move, data=data), external_axes=(TRACK, TABLE))
+        for move in ("MoveExtJ far,vlin200,fine;", "ArcMoveExtJ far,vlin200,fine\\Start;")
+    )
+    assert welding.findings == [("R104", welding.findings[0][1])]
+    assert (welding.end, welding.run.time_s) == (plain.end, plain.run.time_s)
+    (one,), (other,) = plain.run.moves, welding.run.moves
+    assert (other.move.instruction, other.end_s) == ("ArcMoveExtJ", one.end_s)
+    assert other.external == pytest.approx([2.0, np.pi / 2])
+
+
 @pytest.mark.parametrize(
     ("axes", "code", "words"),
     [

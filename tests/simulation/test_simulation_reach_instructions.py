@@ -51,7 +51,7 @@ OPTIONS = {
     "TriggJIOs": r"\TriggData1:=outs",
     "TriggLIOs": r"\TriggData1:=outs",
 }
-WITHOUT_TARGET = {"MoveExtJ", "SearchExtJ"}
+WITHOUT_TARGET = {"ArcMoveExtJ", "MoveExtJ", "SearchExtJ"}
 """They move external axes alone, and this arm has none."""
 
 
