@@ -14,7 +14,7 @@ from rapidsim.jobs.running.run_files import simulate
 from rapidsim.module_files import backup_among
 from rapidsim.motion.robot.robot import load_robot
 from rapidsim.station.backup.backup import backup_station
-from rapidsim.station.backup.robots import catalogue_name
+from rapidsim.station.backup.robots import arm_type, catalogue_name
 from rapidsim.station.robot import StationRobot
 from rapidsim.station.station import Station
 
@@ -103,6 +103,12 @@ def test_reach_and_payload_of_a_type_stand_in_either_order(name: str) -> None:
 def test_the_letter_of_an_arm_on_the_floor_is_no_part_of_its_model() -> None:
     assert catalogue_name("ROB1_1300F_1.4_7") == "irb1300-7-1.4"
     assert catalogue_name("ROB1_1300G_1.4_7") is None
+
+
+def test_arms_with_their_cables_inside_have_types_of_their_own() -> None:
+    assert catalogue_name("ROB1_5720_90_3.00_LID") == "irb5720-90-3.0-lid"
+    assert catalogue_name("ROB1_5720_90_3.00") is None
+    assert arm_type("irb5720-90-3.0-lid") == "ROB1_5720_3.0_90_LID"
 
 
 def test_a_backup_bounds_an_axis_that_slides_in_metres() -> None:

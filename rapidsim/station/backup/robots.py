@@ -16,8 +16,10 @@ from rapidsim.station.robot import StationRobot
 
 _PREFIX = re.compile(r"ROB\d*_(?:(?P<side>[LR])_)?(?:IRB|CRB)?_?", re.IGNORECASE)
 _TYPE_LETTER = re.compile(r"_Type\w+$", re.IGNORECASE)
-_NAME = re.compile(r"([ic]rb)(\w+)-([\d.]+)-([\d.]+)(?:-(left|right))?")
+_NAME = re.compile(r"([ic]rb)(\w+)-([\d.]+)-([\d.]+)(?:-(left|right|lid))?")
 _SIDES = {"l": "left", "r": "right"}
+_WITH_DRESSING = "lid"
+"""End of the names and types of arms whose cables run inside."""
 _JOINTS = 7
 
 
@@ -64,16 +66,18 @@ def catalogue_name(type_name: str) -> str | None:
     if prefix is None:
         return None
     model, *figures = _TYPE_LETTER.sub("", type_name[prefix.end() :]).lower().split("_")
+    variant = _SIDES.get((prefix["side"] or "").lower())
+    if figures[-1:] == [_WITH_DRESSING]:
+        variant = figures.pop()
     if len(figures) not in (1, 2):
         return None
-    side = _SIDES.get((prefix["side"] or "").lower())
     # Palletizers with a single reach, such as ROB1_660_180, are named without it.
     wanted = [_figure(word) for word in figures]
     found: dict[str, str] = {}
     for name in robot_names():
         parts = _NAME.fullmatch(name)
         # ROB1_1300F_1.4_7 stands on the floor.
-        if parts is None or model.removesuffix("f") != parts[2] or parts[5] != side:
+        if parts is None or model.removesuffix("f") != parts[2] or parts[5] != variant:
             continue
         payload, reach = float(parts[3]), float(parts[4])
         # Some types have the payload before the reach, as the arms' names do.
@@ -91,9 +95,11 @@ def arm_type(name: str) -> str:
     parts = _NAME.fullmatch(name)
     if parts is None:
         return name
-    family, model, payload, reach, side = parts.groups()
-    words = ["ROB1", side[0].upper() if side else "", "CRB" if family == "crb" else "", model]
-    found = "_".join(word for word in (*words, reach, payload) if word)
+    family, model, payload, reach, variant = parts.groups()
+    side = next((letter.upper() for letter, one in _SIDES.items() if one == variant), "")
+    dressing = _WITH_DRESSING.upper() if variant == _WITH_DRESSING else ""
+    words = ("ROB1", side, "CRB" if family == "crb" else "", model, reach, payload, dressing)
+    found = "_".join(word for word in words if word)
     return found if catalogue_name(found) == name else name
 
 
