@@ -128,7 +128,9 @@ concurrency = thread,greenlet
 source = rapidsim/{room}
 """
 _PLUGIN = "contexts_of_tests"
-_CONTEXTS = """import coverage
+_CONTEXTS = """import sys
+
+import coverage
 import pytest
 
 
@@ -137,9 +139,17 @@ def pytest_runtest_protocol(item):
     measured = coverage.Coverage.current()
     if measured is not None:
         measured.switch_context(item.nodeid.partition("[")[0])
-    return (yield)
+    tracer = sys.gettrace()
+    try:
+        return (yield)
+    finally:
+        if sys.gettrace() is not tracer:
+            sys.settrace(tracer)
 """
-"""Not by the names of functions: that which executes a law of Hypothesis is called a test, too."""
+"""Not by the names of functions: that which executes a law of Hypothesis is called a test, too.
+
+The tracer of the measurement is put back behind a test of a debugger, which ends with none.
+"""
 _FIRST_TESTS = 25
 """Tests that judge a change first, the ones that execute the fewest lines first, and at last the
 one that executes the most: it may hold whole answers. What they let through, all judge."""
