@@ -55,12 +55,14 @@ ROOMS: Mapping[str, tuple[str, ...]] = MappingProxyType(
         ),
         "interpreter": (
             "tests/check/test_check_runs.py",
+            "tests/cli/test_cli_assert.py",
             "tests/cli/test_cli_call_stack.py",
             "tests/cli/test_cli_modules.py",
             "tests/cli/test_cli_persistents.py",
             "tests/interpreter",
             "tests/limits",
             "tests/rapid",
+            "tests/simulation/test_live_steps.py",
             "tests/simulation/test_simulation_error*.py",
             "tests/simulation/test_simulation_loading.py",
             "tests/simulation/test_simulation_shared_types.py",
@@ -126,7 +128,9 @@ concurrency = thread,greenlet
 source = rapidsim/{room}
 """
 _PLUGIN = "contexts_of_tests"
-_CONTEXTS = """import coverage
+_CONTEXTS = """import sys
+
+import coverage
 import pytest
 
 
@@ -135,9 +139,17 @@ def pytest_runtest_protocol(item):
     measured = coverage.Coverage.current()
     if measured is not None:
         measured.switch_context(item.nodeid.partition("[")[0])
-    return (yield)
+    tracer = sys.gettrace()
+    try:
+        return (yield)
+    finally:
+        if sys.gettrace() is not tracer:
+            sys.settrace(tracer)
 """
-"""Not by the names of functions: that which executes a law of Hypothesis is called a test, too."""
+"""Not by the names of functions: that which executes a law of Hypothesis is called a test, too.
+
+The tracer of the measurement is put back behind a test of a debugger, which ends with none.
+"""
 _FIRST_TESTS = 25
 """Tests that judge a change first, the ones that execute the fewest lines first, and at last the
 one that executes the most: it may hold whole answers. What they let through, all judge."""

@@ -13,6 +13,7 @@ from unittest.mock import patch
 from xml.etree import ElementTree
 
 import pytest
+from coverage import Coverage
 from coverage.cmdline import main as coverage_command
 
 from rapidsim.analysis.passes.checker import check
@@ -224,3 +225,14 @@ def test_branches_are_said_not_to_be_measured(tmp_path: Path) -> None:
     (tmp_path / ".coveragerc").write_text(f"{CONFIGURATION}branch = true\n")
     said = coverage(tmp_path, "run", "-m", "rapidsim", "run", "a.mod", "--no-record", "-q")
     assert "rapidsim measures lines of RAPID, no branches" in said
+
+
+@pytest.mark.parametrize(("chosen", "core"), [("", "ctrace"), ("core = pytrace\n", "pytrace")])
+def test_the_tracer_is_the_one_that_supports_plugins_unless_another_is_chosen(
+    tmp_path: Path, chosen: str, core: str
+) -> None:
+    rcfile = tmp_path / ".coveragerc"
+    rcfile.write_text(CONFIGURATION + chosen)
+    measurement = Coverage(config_file=str(rcfile), data_file=None)
+    measurement.get_data()
+    assert measurement.get_option("run:core") == core

@@ -51,6 +51,7 @@ def integers(text: str) -> dict[str, tuple[int, int]]:
         ("FOR i FROM 3 TO 9 DO x := i * i; ENDFOR", (9, 81)),
         ("FOR i FROM 9 TO 3 STEP -2 DO x := i; ENDFOR", (3, 9)),
         ('x := StrLen("abc");', (0, EXACT)),
+        ('x := -StrLen("abc");', (-EXACT, 0)),
         ("x := Dim(list, 1);", (1, EXACT)),
         ("x := twice(4);", (8, 8)),
         ("x := twice(twice(4));", (8, LARGEST)),
@@ -61,6 +62,13 @@ def integers(text: str) -> dict[str, tuple[int, int]]:
         ("IF x > 2 THEN x := 3; ELSE x := 4; ENDIF", (0, 4)),
         ("x := 4; ERROR x := 5; RETRY;", (0, 5)),
         ("GOTO past; past: x := 5;", (0, 5)),
+        ("VAR num y; y := 4; Clear y; x := y * y;", (0, 16)),
+        # What grows often is soon held to have a sign, or to be as large as a num holds exactly.
+        ("x := 7; x := 6; x := 5; x := 4; x := 3; x := 1;", (1, 7)),
+        ("x := 7; x := 6; x := 5; x := 4; x := 3; Clear x;", (0, 7)),
+        ("x := -7; x := -6; x := -5; x := -4; x := -3; x := -1;", (-7, -1)),
+        ("x := 2; x := 3; x := 4; x := 5; x := 6; x := 7;", (2, EXACT)),
+        ("x := -2; x := -3; x := -4; x := -5; x := -6; x := -7;", (-EXACT, -2)),
     ],
 )
 def test_bounds(statements: str, expected: tuple[int, int]) -> None:
@@ -86,6 +94,8 @@ def test_bounds(statements: str, expected: tuple[int, int]) -> None:
         # Where the factor is 0, floats give a zero with a sign.
         "x := -list_size(-5);",
         "x := list_size(-1) * (-list_size(0));",
+        "VAR num none; Clear none; x := none * (-list_size(0));",
+        'VAR num some; Incr some; x := some * (-StrLen("abc"));',
         "x := (-7) MOD 7;",
         "x := -0;",
     ],

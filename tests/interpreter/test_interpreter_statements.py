@@ -152,6 +152,21 @@ def test_a_tick_a_turn() -> None:
     assert controller.ticks_left == TICKS - 10
 
 
+@pytest.mark.parametrize(("calls", "ticks"), [(20, 0), (40, 2)])
+def test_a_routine_that_leads_to_more_than_a_thousand_calls_takes_a_tick(
+    calls: int, ticks: int
+) -> None:
+    more = f"""
+      PROC outer() {calls * "inner; "} ENDPROC
+      PROC inner() {calls * "leaf; "} ENDPROC
+      PROC leaf() n := n + 1; ENDPROC
+    """
+    controller = RecordingController()
+    ran = run(main("outer; outer;", "VAR num n;", more), controller=controller)
+    assert ran.task.value("n") == 2.0 * calls**2
+    assert controller.ticks_left == TICKS - ticks
+
+
 def test_a_place_says_line_routine_and_arguments() -> None:
     text = main("p 3;", "", 'PROC p(num n)\n  TPWrite "x"\n    \\Num:=n + 1;\nENDPROC')
     (place,) = run(text).controller.places

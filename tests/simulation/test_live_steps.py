@@ -17,6 +17,7 @@ from rapidsim.interpreter.tools.step_positions import (
 from rapidsim.simulation.live import signals
 from rapidsim.simulation.live.event_log import STEPPED
 from rapidsim.simulation.live.states import Cycle, ExecutionMode, StopMode
+from rapidsim.station.task_kind import TaskEvent
 
 IN, OVER = ExecutionMode.STEP_IN, ExecutionMode.STEP_OVER
 OUT, MOTION = ExecutionMode.STEP_OUT, ExecutionMode.STEP_MOTION
@@ -298,6 +299,34 @@ def test_a_program_halts_at_its_breakpoints_and_goes_on_from_there() -> None:
     live.after(1.0)
     assert live.value("n") == "5"
     assert sys.gettrace() is None
+
+
+EVENTS = """MODULE Tried
+VAR num n := 0;
+PROC main()
+  n := n + 1;
+  n := n + 1;
+ENDPROC
+PROC halts()
+  n := n + 10;
+ENDPROC
+PROC continues()
+  n := n + 100;
+ENDPROC
+ENDMODULE
+"""
+
+
+def test_the_event_routines_of_a_halt_at_a_breakpoint_are_not_halted() -> None:
+    live = Live(EVENTS, events=((TaskEvent.STOP, "halts"), (TaskEvent.RESTART, "continues")))
+    controller, task = live.controller, live.controller.task("T_ROB1")
+    task.breakpoints |= {("tried", 5), ("tried", 8), ("tried", 11)}
+    controller.start(Cycle.ONCE)
+    live.after(1.0)
+    assert (controller.executes, live.line, live.value("n")) == (False, 5, "11")
+    controller.start(Cycle.ONCE)
+    live.after(1.0)
+    assert (controller.executes, live.value("n")) == (False, "112")
 
 
 DEEP = """MODULE Tried

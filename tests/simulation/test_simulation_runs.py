@@ -173,6 +173,13 @@ def test_moves_of_a_run_are_resolved_as_rows(tmp_path: Path) -> None:
     assert 0 < rows[1:].count(False) < expected_lines._FEWEST_ROWS
 
 
+def test_the_last_move_of_a_run_may_be_a_row_alone(tmp_path: Path) -> None:
+    # One is resolved by itself, nine are rows of the first array, and one is left.
+    assert _rows(_text()) == 11
+    with patch.object(expected_lines, "_FIRST_ROWS", 9):
+        _assert_the_same(_text(), tmp_path)
+
+
 @pytest.mark.parametrize(
     "statement",
     [

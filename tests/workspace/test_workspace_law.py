@@ -273,6 +273,33 @@ def test_an_edit_of_a_declaration_checks_what_names_it(old: str, new: str) -> No
         assert [contents(one) for one in cell.findings("m.mod")] == fresh
 
 
+OWN_TYPES = """MODULE m
+  RECORD size
+    num width;
+  ENDRECORD
+  LOCAL ALIAS num grade;
+  CONST size first:=[1];
+  CONST grade second:=2;
+
+  PROC main()
+    TPWrite ""\\Num:=first.width;
+    TPWrite ""\\Num:=second;
+  ENDPROC
+ENDMODULE
+"""
+
+
+@pytest.mark.parametrize(("old", "new"), [("[1]", "[1,2]"), ("=2;", "=TRUE;")])
+def test_data_of_types_of_the_task_are_checked_with_what_names_them(old: str, new: str) -> None:
+    text, at = OWN_TYPES, OWN_TYPES.index(old)
+    cell = opened({"m.mod": text})
+    for change in (TextChange(at, at + len(old), new), TextChange(at, at + len(new), old)):
+        text = changed_text(text, [change])
+        assert cell.change("m.mod", [change]).is_local
+        fresh = fresh_findings({"m.mod": text})["m.mod"]
+        assert [contents(one) for one in cell.findings("m.mod")] == fresh
+
+
 @pytest.mark.parametrize(
     "typed",
     [

@@ -5,3 +5,9 @@ MODULE near_miss
     WaitTime 1;
   ENDPROC
 ENDMODULE
+! ---
+MODULE first_line ! found long long long long long long long long long long long long long long long long long long long long long long long long
+  PROC main()
+    WaitTime 1;
+  ENDPROC
+ENDMODULE

@@ -19,6 +19,8 @@ MODULE types
   VAR num grid{2,3}:=[[1,2,3],[4,5,6]];
   VAR num row{3}:=[1,2];                    ! error: T305
   VAR num list{3}:=[1,TRUE,"3"];            ! error: T301, T301
+  CONST pos ahead:=[0,0,2];
+  CONST pos same:=+ahead;
   VAR clock watch;
   VAR clock other;
   CONST num big:=1E39;                      ! error: T324
@@ -62,6 +64,8 @@ MODULE types
     grid{1}:=n;                             ! error: T314
     n{1}:=1;                                ! error: T314
     list{b}:=1;                             ! error: T301
+    list{TRUE AND 5}:=1;                    ! error: T301, T313
+    list{same.z+2}:=1;                      ! warning: T306
     list:=row;
     list:=grid;                             ! error: T301
     list:=[1,n,3];
