@@ -94,3 +94,18 @@ def test_neighbours_are_named_when_a_name_is_missing(tmp_path: Path) -> None:
     assert hint not in rapidsim("check", ".", cwd=tmp_path).out
     (tmp_path / "main.mod").write_text("MODULE a\n  PROC main()\n  ENDPROC\nENDMODULE\n")
     assert hint not in rapidsim("check", "main.mod", cwd=tmp_path).out
+
+
+def test_modules_with_a_main_each_are_no_task(tmp_path: Path) -> None:
+    for name in ("one", "two", "three"):
+        (tmp_path / f"{name}.mod").write_text(
+            f"MODULE {name}\n  VAR num n;\n  PROC main()\n    n:=1;\n  ENDPROC\nENDMODULE\n"
+        )
+    hint = "3 of the modules have a main, so they are no single task: `rapidsim init`"
+    for command in ("check", "run"):
+        ended = rapidsim(command, ".", cwd=tmp_path)
+        assert (ended.code, hint in ended.out) == (1, True)
+    names = ("one.mod", "two.mod", "three.mod")
+    assert rapidsim("check", "--each", *names, cwd=tmp_path).code == 0
+    rapidsim("init", ".", cwd=tmp_path)
+    assert hint not in rapidsim("check", ".", cwd=tmp_path).out

@@ -40,7 +40,7 @@ from rapidsim.jobs.checking.batch_check import merge_results
 from rapidsim.jobs.checking.check_result import CheckResult
 from rapidsim.jobs.inputs.job import Job, read_again
 from rapidsim.jobs.inputs.run_request import RunRequest
-from rapidsim.jobs.inputs.task_files import missing_neighbours
+from rapidsim.jobs.inputs.task_files import hints
 from rapidsim.module_files import single_programs
 from rapidsim.report.findings.checked_moves import coverage_lines
 from rapidsim.report.findings.merging import Finding, errors_first, merged
@@ -386,5 +386,4 @@ def _remarks(
     if result.known:
         yield f"{len(result.known)} more are in the baseline."
     for paths, one in zip(programs, mended, strict=True):
-        if hint := missing_neighbours(paths, one.result.diagnostics):
-            yield hint
+        yield from hints(paths, one.result.diagnostics)

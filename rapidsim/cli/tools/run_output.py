@@ -14,7 +14,7 @@ from rapidsim.diagnostics import Diagnostic, Severity
 from rapidsim.jobs.inputs.job import job
 from rapidsim.jobs.inputs.robot_choice import RobotChoice
 from rapidsim.jobs.inputs.run_request import RunRequest
-from rapidsim.jobs.inputs.task_files import missing_neighbours
+from rapidsim.jobs.inputs.task_files import hints
 from rapidsim.jobs.running.run_files import LoadedJob, loaded
 from rapidsim.json_records.encoding import json_of
 from rapidsim.report.findings.merging import errors_first, merged
@@ -50,7 +50,7 @@ def print_rejected(
         _print_findings(findings, terminal)
         if not terminal.quiet:
             echo(summary_line(merged(findings), files=len(files), seconds=None))
-            if hint := missing_neighbours(loaded.job.request.paths, findings):
+            for hint in hints(loaded.job.request.paths, findings):
                 echo(hint)
 
 

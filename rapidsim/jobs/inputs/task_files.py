@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 from pathlib import Path
 
+from rapidsim.analysis.names.name_violations import DuplicateName
 from rapidsim.diagnostics import Diagnostic
 from rapidsim.files import InputError, did_you_mean, relative_to_cwd, require_inside
+from rapidsim.jobs.inputs.run_request import DEFAULT_ENTRY
 from rapidsim.module_files import (
     TaskFiles,
     named_tasks,
@@ -164,11 +166,17 @@ def _archive_of_all(paths: Sequence[str]) -> Path | None:
     return archives.pop() if len(paths) > 1 and len(archives) == 1 else None
 
 
-def missing_neighbours(paths: Sequence[str], diagnostics: Iterable[Diagnostic]) -> str | None:
-    """Line that names modules next to a single file with undeclared names; else None."""
+def hints(paths: Sequence[str], diagnostics: Iterable[Diagnostic]) -> Iterator[str]:
+    """Yield lines on how else to name the files of a program, as its findings suggest."""
+    violations = [one.violation for one in diagnostics]
     beside = neighbours(paths[0]) if len(paths) == 1 else ()
-    if not beside or not any(d.violation.code in _UNDECLARED for d in diagnostics):
-        return None
-    named = ", ".join(beside[:_NAMED_NEIGHBOURS])
-    named += ", ..." if len(beside) > _NAMED_NEIGHBOURS else ""
-    return f"Modules next to it: {named}; name the folder to load them too."
+    if beside and any(one.code in _UNDECLARED for one in violations):
+        named = ", ".join(beside[:_NAMED_NEIGHBOURS])
+        named += ", ..." if len(beside) > _NAMED_NEIGHBOURS else ""
+        yield f"Modules next to it: {named}; name the folder to load them too."
+    twice = (one for one in violations if isinstance(one, DuplicateName) and one.between_modules)
+    if mains := sum(one.duplicate.lower() == DEFAULT_ENTRY for one in twice):
+        yield (
+            f"{mains + 1} of the modules have a main, so they are no single task: `rapidsim init`"
+            " gives each a [[task]], `check --each` with their names checks one by one."
+        )
