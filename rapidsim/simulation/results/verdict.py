@@ -84,8 +84,8 @@ def _calls_not_simulated(simulation: Simulation) -> Iterator[str]:
         case [one] if one.name.isidentifier():
             yield f"{one.count} call{'s' * (one.count != 1)} of {one.name} not simulated"
         case [*first, last] if len(done_otherwise) <= _NAMED:
-            names = " and ".join((*(one.name for one in first), last.name))
-            yield f"not simulated: {names}"
+            names = ", ".join(one.name for one in first)
+            yield f"not simulated: {names}{' and ' * bool(first)}{last.name}"
         case [*several]:
             names = ", ".join(one.name for one in several[: _NAMED - 1])
             yield f"not simulated: {names} and {len(several) - _NAMED + 1} more"
