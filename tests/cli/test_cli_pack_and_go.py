@@ -211,7 +211,7 @@ def test_a_station_without_one_controller_is_refused(
 
 
 def test_what_is_no_archive_is_refused(tmp_path: Path) -> None:
-    (tmp_path / "cell.rspag").write_text("version https://git-lfs.github.com/spec/v1\n")
+    (tmp_path / "cell.rspag").write_text("a text, not an archive\n")
     ended = rapidsim("check", "cell.rspag", cwd=tmp_path)
     assert (ended.code, "is no archive" in ended.err) == (2, True)
 

@@ -56,7 +56,8 @@ class OperatorDialog:
         self, prompt: str, choices: Sequence[str], *, ends: bool = False
     ) -> OperatorAnswer[int] | None:
         """The index of a key, answered by its text or by its number from 1; "" is no key."""
-        first = next((index for index, text in enumerate(choices) if text), 0)
+        # All before the first key are "".
+        first = choices.index(next(filter(None, choices), choices[0]))
         offered = f"{prompt} {' / '.join(filter(None, choices))}"
         text = self._read_answer(offered)
         while text is not None:
