@@ -118,9 +118,11 @@ def test_a_loop_executes_the_moves_around_a_run(tmp_path: Path) -> None:
     # The first move is a MoveJ, the last one stops.
     assert _in_loops(text) == [38]
     lines = text.split("\n")
-    # The rule on the distance to the origin examines this one.
-    opened = re.sub(r"\[\[[^]]*\]", "[[750,0,700]", lines[20]).replace("[0,0,0,0]", "[0,0,0,1]")
-    assert _in_loops("\n".join([*lines[:20], opened, *lines[21:]])) == [38]
+    # The rule on the distance to the origin examines this one, so it is in the tree.
+    near = re.sub(r"\[\[[^]]*\]", "[[0,0,7]", lines[20]).replace("[0,0,0,0]", "[0,0,0,1]")
+    opened = "\n".join([*lines[:20], near, *lines[21:]])
+    assert [len(run) for run in _modules(opened)[0].runs] == [13, 18]
+    assert _in_loops(opened) == [38]
     stops = lines[20].replace("z1", "fine")
     apart = "\n".join([*lines[:20], stops, *lines[21:]])
     assert _in_loops(apart) == [16, 21]
