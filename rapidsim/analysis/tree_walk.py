@@ -28,7 +28,6 @@ _FIELDS_WITH_NODES: dict[type[tree.Node], tuple[str, ...]] = {
     for kind in vars(tree).values()
     if isinstance(kind, type) and issubclass(kind, tree.Node)
 }
-_FIELDS_FROM_LAST = {kind: names[::-1] for kind, names in _FIELDS_WITH_NODES.items()}
 
 _start = attrgetter("start")
 _WITH_BLOCKS = (tree.If, tree.CompactIf, tree.For, tree.While, tree.Test)
@@ -94,7 +93,7 @@ def descendants(*roots: tree.Node) -> Iterator[tree.Node]:
     while stack:
         node = stack.pop()
         yield node
-        for name in _FIELDS_FROM_LAST[type(node)]:
+        for name in reversed(_FIELDS_WITH_NODES[type(node)]):
             value = getattr(node, name)
             if isinstance(value, tree.Node):
                 stack.append(value)

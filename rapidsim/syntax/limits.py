@@ -105,7 +105,8 @@ def _too_deep(kinds: list[str], begin: int, blocks: list[int]) -> tuple[int, int
     depth = 0  # depth of brackets and operators
     part = begin
     divides = False  # whether the next THEN belongs to an ELSEIF
-    for index, role in enumerate(map(_ROLES.get, kinds[begin:]), begin):
+    for index in range(begin, len(kinds)):
+        role = _ROLES.get(kinds[index])
         if role is None:
             continue
         if role == "chain":

@@ -94,10 +94,10 @@ def _wanted(value: tree.Expression, formal: Formal, other_type: Type | None) -> 
     A literal follows the data it is used with, as in `Add d, 0.2`; without any it is a num unless
     only a dnum holds it exactly, as in `SetGO go, 4294967295`.
     """
-    if isinstance(value, tree.DataReference) or not is_literal_number(value):
+    if isinstance(value, tree.DataReference):
         return formal.wanted
     is_open = types.DNUM in formal.types or formal.types == (types.ANYTYPE,)
-    if not is_open or formal.types == (types.DNUM,):
+    if not (is_open and is_literal_number(value)) or formal.types == (types.DNUM,):
         return formal.wanted
     is_dnum = other_type is not None and resolved(other_type) == types.DNUM
     if not is_dnum and other_type is None:
