@@ -21,22 +21,10 @@ from typing import Unpack
 from rapidsim.language.annotations import Num, Pers, String, Switch, TriggData, Var
 from rapidsim.language.arc_data import SeamData, TrackData, WeaveData, WeldData
 from rapidsim.language.controller import Controller
-from rapidsim.language.data import (
-    FINE,
-    JointTarget,
-    RobTarget,
-    SpeedData,
-    ToolData,
-    ZoneData,
-)
+from rapidsim.language.data import FINE, JointTarget, RobTarget, SpeedData, ToolData, ZoneData
 from rapidsim.language.moves import Interpolation
 from rapidsim.library.fidelity_notes import note_ignored_options
-from rapidsim.library.motion import (
-    MoveOptions,
-    build_move,
-    move_external_axes,
-    move_variants,
-)
+from rapidsim.library.motion import MoveOptions, build_move, move_external_axes, move_variants
 from rapidsim.library.table import routine, table
 from rapidsim.library.traits import Trait
 

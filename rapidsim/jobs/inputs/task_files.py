@@ -169,8 +169,8 @@ def _archive_of_all(paths: Sequence[str]) -> Path | None:
 def hints(paths: Sequence[str], diagnostics: Iterable[Diagnostic]) -> Iterator[str]:
     """Yield lines on how else to name the files of a program, as its findings suggest."""
     violations = [one.violation for one in diagnostics]
-    beside = neighbours(paths[0]) if len(paths) == 1 else ()
-    if beside and any(one.code in _UNDECLARED for one in violations):
+    lacks_names = len(paths) == 1 and any(one.code in _UNDECLARED for one in violations)
+    if beside := neighbours(paths[0]) if lacks_names else ():
         named = ", ".join(beside[:_NAMED_NEIGHBOURS])
         named += ", ..." if len(beside) > _NAMED_NEIGHBOURS else ""
         yield f"Modules next to it: {named}; name the folder to load them too."
