@@ -5,6 +5,7 @@ programs of rules.
 import gc
 import os
 from collections.abc import Generator
+from itertools import count
 from pathlib import Path
 from tempfile import TemporaryDirectory
 from unittest.mock import patch
@@ -31,6 +32,8 @@ os.environ.setdefault("RAPIDSIM_NO_CACHE", "1")
 
 # A test makes garbage by the hundred thousand, nearly all of it without circles.
 gc.set_threshold(10_000, 20, 20)
+_COLLECTED_EVERY = 100
+_TESTS = count(1)
 
 # No deadline and no verdict about slow examples: machines differ, and so do their loads.
 # Derandomised and without memory: a run must not fail for luck, nor for what stands in somebody's
@@ -90,6 +93,10 @@ def pytest_configure(config: pytest.Config) -> None:
 @pytest.hookimpl(wrapper=True)
 def pytest_runtest_protocol(item: pytest.Item) -> Generator[None, object, object]:
     """No fixture: thousands of tests would set it up for nothing."""
+    if next(_TESTS) % _COLLECTED_EVERY == 0:
+        # Garbage of programs goes; what stays is not looked at again.
+        gc.collect()
+        gc.freeze()
     if not item.get_closest_marker("process"):
         return (yield)
     with patch.dict(os.environ, {SWITCH: PROCESS}):

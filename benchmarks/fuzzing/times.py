@@ -233,6 +233,9 @@ def slow_calls(calls: Sequence[Call]) -> tuple[int, list[Slow]]:
             seconds = time.process_time() - begin
             return seconds - (LONGEST_MOVE_S if run.moves else LONGEST_S)
 
+        # What is here stays, and takes no time to look at again.
+        gc.collect()
+        gc.freeze()
         base = min(excess_of("main") for _ in range(3)) + LONGEST_S
         for number, call in enumerate(calls):
             # The first call of a formula may compile it, and the machine has other work.

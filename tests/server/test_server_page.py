@@ -246,8 +246,14 @@ def test_a_browser_jogs_loads_steps_and_explains(tmp_path: Path) -> None:
             live.advance(live.now_s + 5.0)
 
         async def choose(selector: str, value: str) -> None:
+            """Give a field a value, once it offers it."""
+            one = _one(selector)
+            options = f"[...({one} && {one}.options || [])].map((each) => each.value)"
+            await page.until(
+                f"{one} && (!{one}.options || {options}.includes({json.dumps(value)}))"
+            )
             await page.value(
-                f"(() => {{ const one = {_one(selector)}; one.value = {json.dumps(value)};"
+                f"(() => {{ const one = {one}; one.value = {json.dumps(value)};"
                 " one.dispatchEvent(new Event('change')); })()"
             )
 

@@ -286,8 +286,8 @@ async function showData() {
   const of = `${task.name}/${module}/${task.modules.join()}`;
   const open = $("values").open;
   if (dated === of && (!open || $("data").contains(document.activeElement))) return;
-  dated = of;
   const found = await ask(`task?${new URLSearchParams({ task: task.name, module })}`);
+  dated = of;
   options($("routine"), found.routines, $("routine").value);
   $("data").replaceChildren(...found.data.map((one) => {
     const row = element("tr"), value = element("td", undefined, "value");
@@ -320,7 +320,15 @@ async function upload() {
   $("upload").value = "";
 }
 
-async function refresh(isAnswer) {
+// One after the other: an older state must not be shown over a newer one.
+let refreshed = Promise.resolve();
+
+function refresh(isAnswer) {
+  refreshed = refreshed.then(() => showState(isAnswer));
+  return refreshed;
+}
+
+async function showState(isAnswer) {
   try {
     state = await ask("state");
     if (!isAnswer && $("trouble").dataset.lost) { trouble(""); delete $("trouble").dataset.lost; }
