@@ -35,22 +35,22 @@ def recursion_limit(limit: int) -> Iterator[None]:
     """Temporarily allow Python calls to nest this much deeper.
 
     The limit counts from the current depth, so that a program gets the same depth from any caller.
-    The stack of a task begins anew, but the depth that Python counts does not: inside the context
-    that all tasks are in, the limit is not lowered.
+    The stack of a task begins anew, but the depth that Python counts does not: there the limit is
+    not lowered, for what started the tasks has set it for all of them.
     """
-    global _contexts
     before, wanted = sys.getrecursionlimit(), _depth() + limit
-    sys.setrecursionlimit(max(before, wanted) if _contexts else wanted)
-    _contexts += 1
+    sys.setrecursionlimit(max(before, wanted) if _is_in_task() else wanted)
     try:
         yield
     finally:
-        _contexts -= 1
         sys.setrecursionlimit(before)
 
 
-_contexts = 0
-"""Number of contexts of `recursion_limit` that are open, of all tasks."""
+def _is_in_task() -> bool:
+    """Whether a task of several is running."""
+    # Most runs have one task, and import nothing to switch between them.
+    greenlet = sys.modules.get("greenlet")
+    return greenlet is not None and greenlet.getcurrent().parent is not None
 
 
 def _depth() -> int:

@@ -6,6 +6,9 @@ import pytest
 from live_controller import Live, module
 
 from rapidsim.controller.journal.events import Event
+from rapidsim.files import SourceFile
+from rapidsim.jobs.checking.checked_program import load
+from rapidsim.motion.robot.robot import load_robot
 from rapidsim.simulation.live import signals
 from rapidsim.simulation.live.states import (
     ControllerState,
@@ -15,6 +18,8 @@ from rapidsim.simulation.live.states import (
     RequestRefused,
     StopMode,
 )
+from rapidsim.simulation.options import RunOptions
+from rapidsim.simulation.simulate import simulate
 
 COUNTS = module("n := n + 1; k := k + 1; WaitTime 1;", "PERS num n := 0; VAR num k := 0;")
 TURNS = module(
@@ -428,3 +433,25 @@ def test_a_program_of_a_team_that_is_served_alone_moves_as_in_a_run() -> None:
     live.controller.start(Cycle.ONCE)
     live.after(5.0)
     assert live.axis_1() == pytest.approx(0.34906585)
+
+
+def test_a_controller_that_is_dropped_leaves_other_programs_as_deep_a_stack() -> None:
+    text = module("again 1;", more="PROC again(num n)\nagain n + 1;\nENDPROC")
+    found = load([SourceFile("tried.mod", text, "utf-8")])
+    assert found.program is not None
+
+    def stopped_on_the_way(calls: int) -> Live:
+        if calls:
+            return stopped_on_the_way(calls - 1)
+        live = Live(COUNTS)
+        live.controller.start()
+        live.after(2.5)
+        return live
+
+    ended = simulate(found.program, load_robot("irb1600"), options=RunOptions())
+    assert "the stack overflowed" in str(ended.diagnostics)
+    dropped = stopped_on_the_way(100)
+    assert (
+        simulate(found.program, load_robot("irb1600"), options=RunOptions()).time_s == ended.time_s
+    )
+    assert dropped.controller.executes
