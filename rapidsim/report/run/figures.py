@@ -182,7 +182,8 @@ def _along_the_path(
         move = run.moves[max(before, 0)]
         return replace(move, index=offset + move.index)
 
-    row, joint = (int(i) for i in np.unravel_index(np.argmin(left), left.shape))
+    # Of places that differ by rounding only, as in each round of a loop, the first.
+    row, joint = (int(i) for i in np.unravel_index(np.argmin(np.round(left, 9)), left.shape))
     margin = JointMargin(
         degrees=float(np.degrees(left[row, joint])),
         joint=joint + 1,
@@ -190,13 +191,12 @@ def _along_the_path(
         time_s=float(times[row]),
         move=move_at(row),
     )
-    row = int(np.argmin(smallest))
+    row = int(np.argmin(np.round(smallest, 9)))
     singularity = SingularityMargin(
         smallest_singular_value=float(smallest[row]),
         time_s=float(times[row]),
         move=move_at(row),
     )
-    # The first of equal corners, which differ in their last digits only.
     row = int(np.argmax(np.round(off_m, 9)))
     off_path = OffPath(round(1000.0 * float(off_m[row]), 3), float(times[row]), move_at(row))
     return margin, singularity, off_path if off_path.mm > _ON_PATH_MM else None
