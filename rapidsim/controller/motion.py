@@ -38,7 +38,7 @@ class TaskMotion:
     state: MotionState
     triggers: Triggers
     put: EnqueueMove
-    again: Callable[[AnnouncedTargets, int], int]
+    again: Callable[[AnnouncedTargets, int, int], int]
     reader: PositionReader
 
     @property
@@ -63,9 +63,9 @@ class TaskMotion:
         """Announce the targets of the next moves."""
         self.resolver.expected.expect(targets)
 
-    def repeat(self, targets: AnnouncedTargets, number: int) -> int:
-        """Make moves to announced targets, from a number on, like the last one."""
-        return self.again(targets, number)
+    def repeat(self, targets: AnnouncedTargets, number: int, most: int) -> int:
+        """Make moves to announced targets like the last one, from a number on, at most so many."""
+        return self.again(targets, number, most)
 
     def current_joints(self) -> JointTarget:
         """Current positions of the axes."""

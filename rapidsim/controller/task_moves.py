@@ -112,7 +112,7 @@ class TaskMoves:
             or self.marks.may_interrupt
         )
 
-    def repeat(self, targets: AnnouncedTargets, number: int) -> int:
+    def repeat(self, targets: AnnouncedTargets, number: int, most: int) -> int:
         """Make announced moves like the last one at once; see `Motion.repeat`.
 
         It had no remark, neither have they: only their targets differ, and these are plain.
@@ -127,7 +127,7 @@ class TaskMoves:
         is_at_once = not self.clock.needs_service and not self.clock.moment().offset_s
         if not is_at_once or last.corner is not CornerKind.FLY_BY or last.started.time is not None:
             return 0
-        moves = expected.more(last, MAX_OPEN_MOVES - queue.open_moves)
+        moves = expected.more(last, min(most, MAX_OPEN_MOVES - queue.open_moves))
         if moves:
             self.cell.watchdog.check()
             journal.rows([last.started, *(one.started for one in moves[:-1])], targets, number)

@@ -162,8 +162,8 @@ class Motion(Protocol):
         """Announce the targets of the next moves, which probably differ in nothing else."""
         ...
 
-    def repeat(self, targets: AnnouncedTargets, number: int) -> int:
-        """Make moves to announced targets, from a number on, like the last one.
+    def repeat(self, targets: AnnouncedTargets, number: int, most: int) -> int:
+        """Make moves to announced targets like the last one, from a number on, at most so many.
 
         Returns:
             How many it makes: as many as nothing can come between; often none.

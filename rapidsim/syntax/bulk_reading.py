@@ -26,5 +26,8 @@ class BulkReading:
     represented by others of the run."""
     of_declared: Callable[[Numbers], Mask]
     """Returns which declared targets are plain."""
+    of_calls: Callable[[str], bool]
+    """Whether a call of an instruction, by its name, may be represented by another to the letter:
+    one that neither moves nor changes what moves do."""
     keeps_data: bool = False
     """Whether declarations, and moves to declared targets, are parsed."""

@@ -7,9 +7,13 @@ left to the parser: another blank, a comment, a statement on two lines, an inval
 applies to a line whose numbers the caller wants to be parsed, and to a name that occurs anywhere
 except in its declaration and in one move.
 
+Between moves with their targets there may be calls that are repeated to the letter, such as those
+of an output.
+
 Of each run the first two lines and the last one are parsed as well, and so are the neighbours of
-parsed lines. Findings that depend on the kind of a line or on its neighbours therefore occur at
-parsed lines.
+parsed lines. Where a call is among a line and its neighbours, such a sequence is parsed the first
+two times that it occurs. Findings that depend on the kind of a line or on its neighbours therefore
+occur at parsed lines.
 """
 
 from __future__ import annotations
@@ -18,6 +22,7 @@ import re
 import warnings
 from collections import Counter
 from collections.abc import Iterator, Sequence, Set
+from dataclasses import replace
 from functools import lru_cache
 from itertools import compress, pairwise
 from typing import TYPE_CHECKING
@@ -38,6 +43,14 @@ LEAST_LINES = 12
 """Minimum number of lines of a run; shorter ones are parsed."""
 _BLOCK = 4_000_000
 """Number of characters that are read into columns at once."""
+_PARSED = 2
+"""Number of times that a sequence of lines with a call in it is parsed."""
+_MOST_CALLS = 16
+"""Number of texts of calls between the lines of a run, the most frequent ones, that are skipped."""
+_MOST_SEQUENCES = 64
+"""Number of sequences of lines with a call in them, the most frequent ones, that are skipped."""
+_MOST_SHIFTED = 8
+"""Number of lines by which each end of an interval with calls is searched for a suitable one."""
 _LEAST_STRETCH = 8
 """Minimum average number of lines of the intervals with names, below which they do not pay."""
 
@@ -48,6 +61,7 @@ _TARGET = rf"\[{_PARTS}\] *+"
 _NAME = r"[A-Za-z][A-Za-z0-9_]*+"
 # No string, comment or function call: nothing that depends on another line.
 _REST = r",[^\n;!\"(]*+;[ \t]*+\r?\n"
+_CALL = re.compile(rf"[ \t]*+({_NAME})[ \t][^\n;!\"([:]*+;[ \t]*+\r?\n")
 _LINE = re.compile(
     rf"^(?:([ \t]*+Move[JL][ \t]++)(?:{_TARGET}|({_NAME}))({_REST})"
     rf"|([ \t]*+(?:LOCAL[ \t]++)?+CONST[ \t]++robtarget[ \t]++){_NAME}([ \t]*+:=[ \t]*+){_TARGET}"
@@ -64,8 +78,14 @@ class SkippedSpan:
 
     like: int
     """Offset of the parsed line before them."""
-    lines: Offsets
-    """Offset of each line, and of the parsed line after them: shape (rows + 1,)."""
+    begin: int
+    """Offset of the first line."""
+    end: int
+    """Offset of the parsed line after them."""
+    starts: Offsets
+    """Offset of each line but for the calls between: shape (rows,)."""
+    ends: Offsets
+    """Offset behind each of these lines: shape (rows,)."""
     numbers: Numbers
     """Numbers of each target, as `num`: shape (rows, 17)."""
     numbers_of_like: Numbers
@@ -74,18 +94,39 @@ class SkippedSpan:
     """Folded names that the lines declare."""
     declared: Offsets | None = None
     """Offset of the declaration of each target; None if the targets are written out."""
+    calls: tuple[SkippedCalls, ...] = ()
+    """The calls between these lines."""
+
+
+@value_class(frozen=True, slots=True, eq=False)
+class SkippedCalls:
+    """Lines between those of a span that repeat a parsed line to the letter."""
+
+    like: int
+    """Offset of the parsed line."""
+    move: int
+    """Offset of the last line of the run before it."""
+    starts: Offsets
+    """Offset of each repetition."""
+    rows: Offsets
+    """Number of lines of the span before each, without such calls."""
 
 
 @value_class(frozen=True, slots=True, eq=False)
 class _BulkBlock:
     """A complete run: of moves with their targets, of declarations, or of moves by name."""
 
-    lines: Offsets
-    """Offset of each line, and of the line after them: shape (lines + 1,)."""
+    starts: Offsets
+    """Offset of each line: shape (lines,)."""
+    ends: Offsets
+    """Offset behind each line."""
     numbers: Numbers | None
-    """Numbers as written: shape (lines, 17); None for moves by name."""
+    """Numbers as written, of each line that is no call between: shape (rows, 17); None for moves by
+    name."""
     names: Sequence[str]
     """Folded names; empty if targets are written out."""
+    calls: Offsets
+    """0 for the lines of the run; the lines between have a number for each text: shape (lines,)."""
 
 
 def skipped_spans(text: str, how: BulkReading) -> tuple[SkippedSpan, ...]:
@@ -93,10 +134,13 @@ def skipped_spans(text: str, how: BulkReading) -> tuple[SkippedSpan, ...]:
     written: list[SkippedSpan] = []
     declarations: list[_BulkBlock] = []
     by_name: list[_BulkBlock] = []
-    for one in _runs(text):
+    for one in _runs(text, how):
         if not one.names:
             assert one.numbers is not None
-            written += _cut(one, _inner(how.of_targets(one.numbers)), one.numbers)
+            plain = one.calls > 0
+            plain[~plain] = how.of_targets(one.numbers)
+            mask, by = _represented(one.calls, plain)
+            written += _cut(one, mask, one.numbers, by=by)
         else:
             (by_name if one.numbers is None else declarations).append(one)
     may_join = declarations and by_name and not how.keeps_data
@@ -104,7 +148,7 @@ def skipped_spans(text: str, how: BulkReading) -> tuple[SkippedSpan, ...]:
     return tuple(sorted([*written, *named], key=lambda one: one.like))
 
 
-def _runs(text: str) -> Iterator[_BulkBlock]:
+def _runs(text: str, how: BulkReading) -> Iterator[_BulkBlock]:
     position = 0
     while (first := _LINE.search(text, position)) is not None:
         head, name, rest, head_of_data, becomes, rest_of_data = first.groups()
@@ -113,14 +157,38 @@ def _runs(text: str) -> Iterator[_BulkBlock]:
         if head is None:
             words = (head_of_data, becomes, rest_of_data)
             varying = f"{_NAME}{re.escape(becomes)}{_TARGET}"
-        found = _pattern(words[0], varying, words[-1]).match(text, first.start())
+        pattern = _pattern(words[0], varying, words[-1])
+        found = pattern.match(text, first.start())
         assert found is not None, "its first line matches"
-        position = found.end()
-        long = text.count("\n", found.start(), position) >= LEAST_LINES
+        parts, calls = [found.span()], list[re.Match[str]]()
+        if head is not None and name is None:
+            _continue(text, pattern, how, parts, calls)
+        position = parts[-1][1]
+        long = text.count("\n", first.start(), position) >= LEAST_LINES
         if long and "".join(words).isascii():
-            run = _read(text, found.start(), position, words, is_by_name=name is not None)
+            run = _read_parts(text, parts, words, is_by_name=name is not None)
             if run is not None:
-                yield run
+                yield _with_calls(run, calls) if calls else run
+
+
+def _continue(
+    text: str,
+    pattern: re.Pattern[str],
+    how: BulkReading,
+    parts: list[tuple[int, int]],
+    calls: list[re.Match[str]],
+) -> None:
+    """Add the parts of a run behind its first, and the calls between them."""
+    position = parts[-1][1]
+    between: list[re.Match[str]] = []
+    while (call := _CALL.match(text, position)) is not None and how.of_calls(call[1]):
+        between.append(call)
+        position = call.end()
+        if (found := pattern.match(text, position)) is not None:
+            parts.append(found.span())
+            calls += between
+            between = []
+            position = found.end()
 
 
 @lru_cache(64)
@@ -128,10 +196,42 @@ def _pattern(head: str, varying: str, rest: str) -> re.Pattern[str]:
     return re.compile(rf"(?:{re.escape(head)}{varying}{re.escape(rest)})++")
 
 
+def _read_parts(
+    text: str, parts: Sequence[tuple[int, int]], words: tuple[str, ...], *, is_by_name: bool
+) -> _BulkBlock | None:
+    """Read the columns of the matched parts of a run."""
+    if len(parts) == 1:
+        return _read(text, *parts[0], words, is_by_name=is_by_name)
+    joined = "".join(text[begin:end] for begin, end in parts)
+    run = _read(joined, 0, len(joined), words, is_by_name=is_by_name)
+    if run is None:
+        return None
+    begins, stops = np.array(parts).T
+    lengths = stops - begins
+    before = np.cumsum(lengths) - lengths
+    moved = (begins - before)[before.searchsorted(run.starts, "right") - 1]
+    return replace(run, starts=run.starts + moved, ends=run.ends + moved)
+
+
+def _with_calls(run: _BulkBlock, calls: Sequence[re.Match[str]]) -> _BulkBlock:
+    """Add the calls between its lines to a run."""
+    by_frequency = Counter(call[0] for call in calls).most_common()
+    number_of = {text: number for number, (text, _) in enumerate(by_frequency, 1)}
+    numbers = [number_of[call[0]] for call in calls]
+    starts = np.append(run.starts, [call.start() for call in calls])
+    order = starts.argsort()
+    return replace(
+        run,
+        starts=starts[order],
+        ends=np.append(run.ends, [call.end() for call in calls])[order],
+        calls=np.append(run.calls, numbers)[order],
+    )
+
+
 def _read(
     text: str, begin: int, end: int, words: tuple[str, ...], *, is_by_name: bool
 ) -> _BulkBlock | None:
-    """Read the columns of a matched run."""
+    """Read the columns of a matched part of a run."""
     head, *becomes, rest = words
     lines, numbers = [], []
     names: list[str] = []
@@ -157,7 +257,9 @@ def _read(
     starts = np.append(np.concatenate(lines), end)
     if (is_by_name or becomes) and len(names) != len(starts) - 1:
         return None
-    return _BulkBlock(starts, np.concatenate(numbers) if numbers else None, names)
+    table = np.concatenate(numbers) if numbers else None
+    no_calls = np.zeros(len(starts) - 1, dtype=np.int64)
+    return _BulkBlock(starts[:-1], starts[1:], table, names, no_calls)
 
 
 def _numbers(targets: str) -> Numbers:
@@ -180,29 +282,113 @@ def _inner(plain: Mask) -> Mask:
     return inner
 
 
+def _represented(calls: Offsets, plain: Mask) -> tuple[Mask, Offsets]:
+    """Return which lines are represented by others, and by which the calls among them are.
+
+    A line with a call among its two predecessors, itself and its successor is represented by the
+    second occurrence of the same sequence; lines of a run without calls by the first few.
+    """
+    mask = _inner(plain)
+    by = np.full(len(calls), -1)
+    near = np.flatnonzero(calls)
+    if not len(near):
+        return mask, by
+    near = np.unique((near[:, None] + np.arange(-1, 3)).ravel())
+    near = near[(near >= 2) & (near < len(calls) - 1)]
+    around = near[:, None] + np.arange(-2, 2)
+    may_be = mask[near] & (calls[around] <= _MOST_CALLS).all(axis=1)
+    mask[near] = False
+    near, around = near[may_be], around[may_be]
+    _, kind, counts = np.unique(calls[around], axis=0, return_inverse=True, return_counts=True)
+    kind = kind.reshape(-1)
+    by_kind = kind.argsort(kind="stable")
+    firsts = np.cumsum(counts) - counts
+    occurrence = np.empty(len(near), dtype=np.int64)
+    occurrence[by_kind] = np.arange(len(near)) - np.repeat(firsts, counts)
+    is_frequent = np.zeros(len(counts), dtype=bool)
+    is_frequent[(-counts).argsort(kind="stable")[:_MOST_SEQUENCES]] = True
+    mask[near] = (occurrence >= _PARSED) & is_frequent[kind]
+    twice = counts >= _PARSED
+    second = np.zeros(len(counts), dtype=np.int64)
+    second[twice] = near[by_kind[firsts[twice] + _PARSED - 1]]
+    by[near] = second[kind]
+    return mask, by
+
+
 def _cut(
-    run: _BulkBlock, left_out: Mask, numbers: Numbers, declared: Offsets | None = None
+    run: _BulkBlock,
+    left_out: Mask,
+    numbers: Numbers,
+    declared: Offsets | None = None,
+    by: Offsets | None = None,
 ) -> Iterator[SkippedSpan]:
     """Yield the intervals of consecutive lines of a run that are skipped.
 
     Args:
         run: The run.
         left_out: Mask of its skipped lines.
-        numbers: Numbers of the target of each line, shape (lines, 17).
+        numbers: Numbers of the target of each line that is no call between, shape (rows, 17).
         declared: Offset of the declaration of each target.
+        by: Line that represents each call between; None if there are no calls.
     """
     edges = np.flatnonzero(np.diff(left_out, prepend=False, append=False)).tolist()
     has_values = run.numbers is not None
-    for first, stop in zip(edges[::2], edges[1::2], strict=True):
+    is_call = run.calls > 0
+    row_of = np.cumsum(~is_call) - 1
+    for begin, end in zip(edges[::2], edges[1::2], strict=True):
+        first, stop = (begin, end) if by is None else _joint(run.calls, begin, end)
         if declared is None and not run.names and stop - first < LEAST_LINES - 3:
             continue
+        like = int(row_of[first - 1])
+        rows = slice(like + 1, int(row_of[stop - 1]) + 1)
+        is_row = ~is_call[first:stop]
+        lines = np.flatnonzero(is_row) + first
+        calls = np.flatnonzero(~is_row) + first
         yield SkippedSpan(
-            int(run.lines[first - 1]),
-            run.lines[first : stop + 1],
-            numbers[first:stop].astype(np.float32),
-            numbers[first - 1].astype(np.float32),
-            tuple(run.names[first:stop]) if has_values else (),
-            None if declared is None else declared[first:stop],
+            int(run.starts[first - 1]),
+            int(run.starts[first]),
+            int(run.ends[stop - 1]),
+            run.starts[lines],
+            run.ends[lines],
+            numbers[rows].astype(np.float32),
+            numbers[like].astype(np.float32),
+            tuple(run.names[rows]) if has_values else (),
+            None if declared is None else declared[rows],
+            () if by is None else tuple(_skipped_calls(run, calls, row_of[calls] - like, by)),
+        )
+
+
+def _joint(calls: Offsets, begin: int, end: int) -> tuple[int, int]:
+    """Return which lines of an interval to skip, so that those around look as if they followed.
+
+    There is no call at either end, and what precedes the first line is what precedes the end: so
+    each parsed line has the neighbours that it has, or that a skipped one has.
+    """
+    for first in range(begin, min(begin + _MOST_SHIFTED, end)):
+        if calls[first - 1] or calls[first]:
+            continue
+        for stop in range(end, max(end - _MOST_SHIFTED, first + 1), -1):
+            if not (calls[stop - 1] or calls[stop]) and calls[stop - 2] == calls[first - 2]:
+                return first, stop
+    return begin, begin
+
+
+def _skipped_calls(
+    run: _BulkBlock, lines: Offsets, rows: Offsets, by: Offsets
+) -> Iterator[SkippedCalls]:
+    """Yield the calls on skipped lines of a run by what represents them.
+
+    Args:
+        run: The run.
+        lines: Numbers of the lines.
+        rows: Number of rows before each.
+        by: Line that represents each line of the run.
+    """
+    for like in np.unique(by[lines]).tolist():
+        here = by[lines] == like
+        move = int(np.flatnonzero(run.calls[:like] == 0)[-1])
+        yield SkippedCalls(
+            int(run.starts[like]), int(run.starts[move]), run.starts[lines[here]], rows[here]
         )
 
 
@@ -219,7 +405,7 @@ def _joined(
     """
     tables = [run.numbers for run in declarations if run.numbers is not None]
     columns = np.concatenate(tables)
-    places = np.concatenate([run.lines[:-1] for run in declarations])
+    places = np.concatenate([run.starts for run in declarations])
     inner = np.concatenate([_inner(how.of_declared(table)) for table in tables])
     names = [name for run in declarations for name in run.names]
     row_of = {name: row for row, name in enumerate(names)}
@@ -261,11 +447,12 @@ def _omitted_spans(
     written: Sequence[SkippedSpan], runs: Sequence[_BulkBlock], masks: Sequence[Mask]
 ) -> list[tuple[int, int]]:
     """Offsets of the parts of a text that would not be parsed, in order."""
-    places = [(int(one.lines[0]), int(one.lines[-1])) for one in written]
+    places = [(one.begin, one.end) for one in written]
     for run, mask in zip(runs, masks, strict=True):
         edges = np.flatnonzero(np.diff(mask, prepend=False, append=False))
-        offsets = run.lines[edges].tolist()
-        places += zip(offsets[::2], offsets[1::2], strict=True)
+        places += zip(
+            run.starts[edges[::2]].tolist(), run.ends[edges[1::2] - 1].tolist(), strict=True
+        )
     return sorted(places)
 
 

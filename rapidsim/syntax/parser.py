@@ -25,7 +25,7 @@ from rapidsim.values import value_class
 
 if TYPE_CHECKING:
     from rapidsim.syntax.bulk_reading import BulkReading
-    from rapidsim.syntax.bulk_statements import SkippedSpan
+    from rapidsim.syntax.bulk_statements import SkippedCalls, SkippedSpan
 
 
 _SHORTEST_MOVE = 60
@@ -78,7 +78,7 @@ def _parsed_with_runs(source: Source, bulk: BulkReading) -> Parsed | None:
     found = skipped_spans(source.text, bulk)
     if sum(len(one.numbers) for one in found if not one.names) <= bulk.more_than:
         return None
-    parsed = _parsed(source, [(int(one.lines[0]), int(one.lines[-1])) for one in found])
+    parsed = _parsed(source, [(one.begin, one.end) for one in found])
     modules = tuple(_with_runs(module, found) for module in parsed.file.modules)
     homes = [module for module in modules if module.runs]
     # Names that one module declares may be invisible in another.
@@ -97,11 +97,10 @@ def _with_runs(module: tree.Module, spans: Sequence[SkippedSpan]) -> tree.Module
     ]
     runs: list[tree.BulkStatements] = []
     for start, end, nodes in lists:
-        starts = [node.start for node in nodes]
+        on_line = _FirstOnLine(module.source.text, nodes)
         first = bisect_left(spans, start, key=_place)
         for one in spans[first : bisect_left(spans, end, key=_place)]:
-            at = bisect_left(starts, one.like)
-            run = _run(one, nodes[at : at + 2], module.source.text)
+            run = _run(one, on_line)
             if run is not None:
                 runs.append(run)
     return replace(module, runs=tuple(sorted(runs, key=lambda run: run.start)))
@@ -111,37 +110,61 @@ def _place(span: SkippedSpan) -> int:
     return span.like
 
 
-def _run(
-    span: SkippedSpan, around: Sequence[tree.Item | tree.Statement], text: str
-) -> tree.BulkStatements | None:
-    """Build bulk statements between two others; None if the lines around parsed differently."""
-    match around:
-        case (tree.Data(value=tree.LiteralAggregate()) as like, tree.Data() as behind):
+class _FirstOnLine:
+    """The nodes of a list that are the first on their lines, by the offsets of these."""
+
+    def __init__(self, text: str, nodes: Sequence[tree.Item | tree.Statement]) -> None:
+        """Take the nodes in order."""
+        self._text, self._nodes = text, nodes
+        self._starts = [node.start for node in nodes]
+
+    def __getitem__(self, line: int) -> tree.Item | tree.Statement | None:
+        """Return the node; None if there is none."""
+        at = bisect_left(self._starts, line)
+        if at == len(self._starts) or self._text[line : self._starts[at]].strip():
+            return None
+        return self._nodes[at]
+
+
+def _run(span: SkippedSpan, on_line: _FirstOnLine) -> tree.BulkStatements | None:
+    """Build bulk statements between two others; None if lines parsed differently."""
+    match on_line[span.like], on_line[span.end]:
+        case (tree.Data(value=tree.LiteralAggregate()) as like, tree.Data()):
             kind = bool(span.names)
         case (
             tree.Call(arguments=(tree.RequiredArgument(value=target, name=None), *_)) as like,
-            tree.Call() as behind,
+            tree.Call(),
         ):
             literal = tree.LiteralAggregate if span.declared is None else tree.DataReference
             kind = isinstance(target, literal) and not span.names
         case _:
             return None
-    first, last = int(span.lines[0]), int(span.lines[-1])
-    indent = like.start - span.like
-    is_line = not text[span.like : like.start].strip()
-    if not (kind and is_line and like.end < first and behind.start == last + indent):
+    between = tuple(one for of in span.calls if (one := _repeated(of, on_line)) is not None)
+    if not kind or like.end >= span.begin or len(between) < len(span.calls):
         return None
     return tree.BulkStatements(
-        first,
-        last,
+        span.begin,
+        span.end,
         like,
-        span.lines[:-1] + indent,
-        span.lines[1:] - (first - like.end),
+        span.starts + (like.start - span.like),
+        span.ends - (span.begin - like.end),
         span.numbers,
         span.numbers_of_like,
         span.names,
         span.declared,
+        between,
     )
+
+
+def _repeated(of: SkippedCalls, on_line: _FirstOnLine) -> tree.RepeatedCall | None:
+    """Build the repetitions of a call between bulk moves; None if lines parsed differently."""
+    match on_line[of.like], on_line[of.move]:
+        case (tree.Call() as call, tree.Call() as move):
+            starts = of.starts + (call.start - of.like)
+            end = int(starts[-1]) + call.end - call.start
+            return tree.RepeatedCall(int(starts[0]), end, call, move, starts, of.rows)
+        case _:
+            return None
 
 
 def _parsed(source: Source, left_out: Sequence[tuple[int, int]]) -> Parsed:

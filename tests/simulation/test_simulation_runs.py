@@ -1,5 +1,6 @@
 """Long runs of moves are executed as runs; what comes of it is what each move by itself does."""
 
+import json
 import random
 import re
 from collections.abc import Iterable, Sequence
@@ -8,6 +9,7 @@ from typing import Any
 from unittest.mock import patch
 
 import pytest
+from calls_between import with_calls
 from command_line import Ended, call
 from exports import ROBOT, export
 from laws import cases
@@ -27,7 +29,12 @@ _FEW = 10
 """Moves beyond which they are executed as runs here."""
 _AT = 8
 """The move that something is done to."""
-_SIGNALS = '[signals]\ndo1 = { type = "do" }\ndo2 = { type = "do" }\n'
+_SIGNALS = """[signals]
+do1 = { type = "do" }
+do2 = { type = "do" }
+ao1 = { type = "ao", max = 1000 }
+ao2 = { type = "ao", max = 1000 }
+"""
 _FAR = (r"\[\[[0-9.]+", "[[9000.000")
 
 
@@ -327,3 +334,57 @@ def test_whatever_goes_wrong_in_a_program(seed: int, tmp_path: Path) -> None:
         at = dice.randrange(4, len(lines) - 4)
         lines[at] = re.sub(old, new, lines[at])
     _assert_the_same("\n".join(lines), tmp_path, "--max-time", "30")
+
+
+_BETWEEN = """  VAR intnum seen;
+  TRAP changed
+    SetAO ao1,AOutput(ao1)+1;
+  ENDTRAP
+  PROC main()
+    {}
+"""
+_CALLS = ["SetDO do1,1;", "SetDO do1,0;\nSetAO ao2,reg1;"]
+
+
+def _between(begin: str, end: str = "", calls: Sequence[str] = _CALLS) -> str:
+    """A program of moves with calls between them, which has runs with such calls."""
+    text = with_calls(calls, 50, 2)
+    text = text.replace("  PROC main()\n", _BETWEEN.format(begin))
+    text = text.replace("  ENDPROC", f"  {end}\n  ENDPROC")
+    (run,) = _modules(text)[0].runs
+    assert sum(len(one.starts) for one in run.between) > 10
+    return text
+
+
+@pytest.mark.parametrize(
+    ("begin", "end"),
+    [
+        ("", ""),
+        ("reg1:=5;", ""),
+        ("again:\nreg1:=reg1+1;", "IF reg1<3 GOTO again;"),
+        # Calls that fail: each is answered by itself.
+        ("reg1:=1E4;", ""),
+        ("reg1:=1E4;", "ERROR\nSetDO do2,1-DOutput(do2);\nTRYNEXT;"),
+        ("reg1:=1E4;", "ERROR\nreg1:=1;\nRETRY;"),
+        ("CONNECT seen WITH changed;\nISignalDO do1,1,seen;", ""),
+        ("CONNECT seen WITH changed;\nISignalDO do1,edge,seen;", "ERROR\nTRYNEXT;"),
+    ],
+)
+def test_calls_between_the_moves_of_a_run(begin: str, end: str, tmp_path: Path) -> None:
+    _assert_the_same(_between(begin, end), tmp_path)
+
+
+def test_a_call_between_the_moves_of_a_run_that_fails_is_found_where_it_stands(
+    tmp_path: Path,
+) -> None:
+    text = _between("", calls=["SetAO ao1,reg1;", "SetDO do1,1;", "SetDO do1,0;"])
+    # A trap makes the value too large for a repetition.
+    text = text.replace("SetAO ao1,AOutput(ao1)+1;", "reg1:=1E4;")
+    text = text.replace("main()\n", "main()\nCONNECT seen WITH changed;\nITimer 3,seen;\n")
+    ended = _assert_the_same(text, tmp_path)
+    assert ended.code == 1
+    (run,) = _modules(text)[0].runs
+    lines = text.splitlines()
+    failed = json.loads(ended.out)["diagnostics"][-1]["line"]
+    assert lines[failed - 1].strip() == "SetAO ao1,reg1;"
+    assert text[: run.start].count("\n") < failed < text[: run.end].count("\n")

@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from calls_between import with_calls
 from exports import export
 
 from rapidsim.diagnostics import Source
@@ -44,12 +45,12 @@ def _singles(value: Any) -> list[float]:
     ],
 )
 def test_rows_are_the_statements_that_the_parser_reads(old: str, new: str) -> None:
-    text = export("mixed", "tilted", 130)
+    text = with_calls(["SetDO do1,1;", "Set do2;\nSetAO ao,reg1;"], 130, 7, "tilted")
     text = text.replace(old, new) if old else text
     source = Source("export.mod", text)
     (whole,), (left_out,) = (parse(source, few).file.modules for few in (None, bulk_reading(40)))
     assert not whole.runs
-    assert sum(len(run) for run in left_out.runs) > 100
+    assert sum(len(run) for run in left_out.runs) == 98
     by_place = {one.start: one for one in whole.routines[0].body}
     kept = {one.start for one in left_out.routines[0].body}
     for run in left_out.runs:
@@ -63,7 +64,26 @@ def test_rows_are_the_statements_that_the_parser_reads(old: str, new: str) -> No
             assert isinstance(argument, tree.RequiredArgument)
             assert isinstance(argument.value, tree.LiteralAggregate)
             assert np.array_equal(numbers.astype(np.float64), _singles(argument.value.value))
+        assert run.between
+        for call in run.between:
+            _assert_repeats(call, run, whole.routines[0].body, text)
+            assert call.like.start in kept
+            assert call.move.start in kept
+            for row in call.rows():
+                by_place.pop(row.start)
     assert by_place.keys() == kept
+
+
+def _assert_repeats(
+    call: tree.RepeatedCall, run: tree.BulkStatements, body: tree.Body, text: str
+) -> None:
+    """The statements at its places are the call, each behind as many moves as it says."""
+    places = [one.start for one in body]
+    for row, before in zip(call.rows(), call.moves_before.tolist(), strict=True):
+        statement = body[places.index(row.start)]
+        assert (row.start, row.end) == (statement.start, statement.end)
+        assert text[row.start : row.end] == text[call.like.start : call.like.end]
+        assert np.count_nonzero(run.starts < row.start) == before
 
 
 def test_a_text_with_few_of_them_has_no_runs() -> None:

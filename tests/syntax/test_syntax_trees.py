@@ -14,7 +14,11 @@ from rapidsim.syntax.parser import parse
 from rapidsim.syntax.printer import print_module
 
 # What no sound text gives, and what only stands for others.
-NOT_DRAWN = {"InvalidStatement", "Node", "RoutineNode", "BulkStatements", "BulkRow"}
+NOT_DRAWN = {"InvalidStatement", "Node", "RoutineNode"} | {
+    "BulkStatements",
+    "BulkRow",
+    "RepeatedCall",
+}
 ENOUGH = 60
 """Modules that hold every kind of node; as their sequence is fixed, they do always."""
 

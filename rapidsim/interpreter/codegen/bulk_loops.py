@@ -6,7 +6,8 @@ tree, and some between. A loop executes all of them as rows, so that they are re
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import replace
 from itertools import chain, groupby
 
 from rapidsim.syntax import tree
@@ -68,7 +69,17 @@ def _joined(
         np.concatenate([part.ends for part in parts]),
         np.concatenate([part.numbers for part in parts]),
         run.numbers_of_like,
+        between=tuple(_between(parts)),
     )
+
+
+def _between(parts: Iterable[tree.BulkStatements]) -> Iterator[tree.RepeatedCall]:
+    """Yield the calls between bulk moves, counted from the first of all moves."""
+    before = 0
+    for part in parts:
+        for call in part.between:
+            yield replace(call, moves_before=call.moves_before + before)
+        before += len(part)
 
 
 def _alone(call: tree.Statement) -> tree.BulkStatements:

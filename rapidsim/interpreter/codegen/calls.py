@@ -342,8 +342,13 @@ class Calls:
         return Code(node, may_raise=True, calls=True)
 
     def _instruction(
-        self, routine: LibraryRoutine, call: tree.Call, at: AstBuilder
+        self,
+        routine: LibraryRoutine,
+        call: tree.Call,
+        at: AstBuilder,
+        place: ast.expr | None = None,
     ) -> list[ast.stmt]:
+        """A call of an instruction, reported at a place; None: at its own."""
         signature = routine.signature
         arguments = () if signature.is_open else call.arguments
         given = match_arguments(arguments, signature.parameters)
@@ -351,7 +356,8 @@ class Calls:
         values, options, calls = self._library_arguments(signature, given, at)
         if not signature.takes_controller:
             return [at.do(at.call(function, values, options))]
-        place, asked = at.name(self._place(call, given)), at.name(f"_{signature.concern}")
+        place = place or at.name(self._place(call, given))
+        asked = at.name(f"_{signature.concern}")
         if Trait.OUTPUT in routine.traits and Trait.MOVE not in routine.traits:
             return [at.do(at.call("_set_at", [place, function, asked, *values], options))]
         if calls:
@@ -359,24 +365,37 @@ class Calls:
             return [at.do(at.call("_call_at", [place, function, asked, *values], options))]
         return _reported(place, at.call(function, [asked, *values], options), at)
 
-    def row(self, run: tree.BulkStatements, at: AstBuilder) -> tuple[ast.expr, list[ast.stmt]]:
-        """Return the rows of bulk moves, and the statements that execute one row."""
+    def rows(self, run: tree.BulkStatements, at: AstBuilder) -> tuple[ast.expr, list[ast.stmt]]:
+        """Return the rows of bulk moves, and the statements that execute a move."""
         call = run.like
         assert isinstance(call, tree.Call)
-        symbol, target = self._program.symbol_of[call], call.arguments[0]
-        assert isinstance(symbol, LibrarySymbol)
+        symbol, given = self._bulk_call(call)
+        target = call.arguments[0]
         assert isinstance(target, tree.RequiredArgument)
         signature = symbol.routine.signature
-        given = match_arguments(call.arguments, signature.parameters)
         taken = next(name for name, one in given.items() if one.value is target.value)
         like = self._written(call, given)
-        rows = self._names.module.numbered("_rows", BulkExecution(run, like, taken))
+        between = [self._written(one.like, self._bulk_call(one.like)[1]) for one in run.between]
+        execution = BulkExecution(run, like, taken, tuple(between))
+        named = self._names.module.numbered("_rows", execution)
         function = at.name(self._names.module.library(symbol.routine))
         values, options, _ = self._library_arguments(signature, given, at, taken)
         asked = at.name(f"_{signature.concern}")
         made = at.call(function, [asked, *values], options)
-        moves = at.call(at.attribute(rows, "moves"), [at.name("_motion")])
-        return moves, _reported(at.attribute(ROW, "place"), made, at)
+        rows = at.call(at.attribute(named, "rows"), [at.name("_motion")])
+        return rows, _reported(at.attribute(ROW, "place"), made, at)
+
+    def repeated(self, call: tree.Call, at: AstBuilder) -> list[ast.stmt]:
+        """Return the statements that execute a repetition of a call between bulk moves."""
+        return self._instruction(
+            self._bulk_call(call)[0].routine, call, at, at.attribute(ROW, "place")
+        )
+
+    def _bulk_call(self, call: tree.Call) -> tuple[LibrarySymbol, dict[str, BoundArgument]]:
+        """Instruction that bulk statements repeat, and its arguments."""
+        symbol = self._program.symbol_of[call]
+        assert isinstance(symbol, LibrarySymbol)
+        return symbol, match_arguments(call.arguments, symbol.routine.signature.parameters)
 
     def _library_arguments(
         self,

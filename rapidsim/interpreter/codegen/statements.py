@@ -192,11 +192,17 @@ class Statements:
         )
 
     def _run(self, run: tree.BulkStatements) -> list[ast.stmt]:
-        """Execute bulk moves in a loop, one move per iteration."""
+        """Execute bulk moves, and the calls between them, in a loop, one per iteration."""
         at = self.expressions.statement = self.expressions.positions.at(run.like)
-        rows, move = self.expressions.calls.row(run, at)
-        turn = at.each(at.store(ROW), rows, self._guard(move, at))
-        return [turn, at.set(ROW, at.constant(None))]
+        rows, move = self.expressions.calls.rows(run, at)
+        turn = self._guard(move, at)
+        for number, one in enumerate(run.between):
+            at_call = self.expressions.statement = self.expressions.positions.at(one.like)
+            call = self._guard(self.expressions.calls.repeated(one.like, at_call), at_call)
+            is_this = at.compare(at.attribute(ROW, "call"), (ast.Eq(), at.constant(number)))
+            turn = [at.when(is_this, call, turn)]
+        loop = at.each(at.store(ROW), rows, turn)
+        return [loop, at.set(ROW, at.constant(None))]
 
     def _serve_persistent_interrupts(self, target: tree.DataPath, at: AstBuilder) -> list[ast.stmt]:
         """Serve the interrupts that wait for a change of a persistent."""

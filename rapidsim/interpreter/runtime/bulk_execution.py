@@ -7,8 +7,9 @@ million moves take no memory in advance.
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
+from heapq import merge
 from itertools import repeat
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, ClassVar
 
 from rapidsim.diagnostics import Source, Span
 from rapidsim.language.controller import Motion
@@ -81,6 +82,18 @@ class BulkMove:
     written: tree.BulkRow
     place: Place
     target: RobTarget
+    call: ClassVar[None] = None
+    """Not a call between moves."""
+
+
+@value_class(frozen=True, slots=True, eq=False)
+class CallBetween:
+    """One repetition of a call between bulk moves."""
+
+    written: tree.BulkRow
+    place: Place
+    call: int
+    """Which of the calls between them it repeats."""
 
 
 @value_class(frozen=True, slots=True, eq=False)
@@ -92,13 +105,35 @@ class BulkExecution:
     """Position of the statement in the tree."""
     parameter: str
     """Folded name of the parameter that takes the target."""
+    calls: tuple[Place, ...]
+    """Positions of the calls in the tree that are repeated between moves."""
 
-    def moves(self, motion: Motion) -> Iterator[BulkMove]:
-        """Yield the moves in order; their targets are announced."""
-        for first in range(0, len(self.run), _AT_ONCE):
-            targets = BulkTargets(self, slice(first, first + _AT_ONCE))
+    def rows(self, motion: Motion) -> Iterator[BulkMove | CallBetween]:
+        """Yield the moves in order, and the calls between them; their targets are announced."""
+        calls, count = self._calls(), len(self.run)
+        moves_before, call = next(calls, (count, None))
+        for first in range(0, count, _AT_ONCE):
+            stop = min(first + _AT_ONCE, count)
+            targets = BulkTargets(self, slice(first, stop))
             motion.expect(targets)
-            yield from targets.moves(motion)
+            done = first
+            while call is not None and moves_before < stop:
+                yield from targets.moves(motion, done - first, moves_before - first)
+                yield call
+                done = moves_before
+                moves_before, call = next(calls, (count, None))
+            yield from targets.moves(motion, done - first, stop - first)
+
+    def _calls(self) -> Iterator[tuple[int, CallBetween]]:
+        """Yield the calls between moves in order, each with the number of moves before it."""
+        rows = (
+            zip(one.moves_before.tolist(), one.rows(), repeat(number), strict=False)
+            for number, one in enumerate(self.run.between)
+        )
+        for before, row, number in merge(*rows, key=lambda one: one[1].start):
+            like = self.calls[number]
+            span = Span(like.span.source, row.start, row.end)
+            yield before, CallBetween(row, Place(span, like.routine, like.arguments), number)
 
 
 class BulkTargets:
@@ -132,21 +167,21 @@ class BulkTargets:
         row = self._rows.start + number
         return self._place(next(self._of.run.rows(slice(row, row + 1))), number)
 
-    def moves(self, motion: Motion) -> Iterator[BulkMove]:
-        """Yield the moves in order, but for those that are made together with the one before."""
-        created, number, more = self._created, 0, 1
+    def moves(self, motion: Motion, number: int, stop: int) -> Iterator[BulkMove]:
+        """Yield the moves from a number on, but for those made together with the one before."""
+        created, begin = self._created, self._rows.start
         assert created is not None
-        while more:
-            more = 0
-            rows = self._of.run.rows(slice(self._rows.start + number, self._rows.stop))
-            for row, target in zip(rows, created[number:], strict=True):
+        while number < stop:
+            rows = self._of.run.rows(slice(begin + number, begin + stop))
+            for row, target in zip(rows, created[number:stop], strict=True):
                 yield BulkMove(row, self._place(row, number), target)
                 number += 1
-                more = motion.repeat(self, number)
+                more = motion.repeat(self, number, stop - number)
                 if more:
                     number += more
                     break
-        self._created = None
+        if stop == len(created):
+            self._created = None
 
     def _place(self, row: tree.BulkRow, number: int) -> Place:
         like = self._of.like

@@ -37,7 +37,13 @@ def bulk_reading(more_than: int, *, keeps_data: bool = False) -> BulkReading:
 
     Rules declare in their table which targets they have no reason to look at by themselves.
     """
-    return BulkReading(more_than, _are_plain, _are_plain_data, keeps_data)
+    return BulkReading(more_than, _are_plain, _are_plain_data, is_plain_output, keeps_data)
+
+
+def is_plain_output(instruction: str) -> bool:
+    """Whether an installed instruction sets an output, and nothing else."""
+    traits = does(installed_symbol(instruction.lower()))
+    return Trait.OUTPUT in traits and Trait.MOVE not in traits
 
 
 def _are_plain(targets: Numbers) -> Mask:
@@ -85,7 +91,7 @@ def findings_of_all(
         The findings in order; None if the statements of the tree may not represent the others.
     """
     repeated = repeat_findings(files, findings)
-    if repeated is None:
+    if repeated is None or not _calls_between(files).isdisjoint(_routines(files, cell)):
         return None
     homes = [module for file in files for module in file.modules if _declared(module)]
     if not homes:
@@ -100,6 +106,21 @@ def findings_of_all(
         if max(said_in.values()) > 1:
             return None
     return repeated if all(map(_has_uniform_axes, homes)) else None
+
+
+def _calls_between(files: Sequence[tree.File]) -> frozenset[str]:
+    """Folded names of the instructions between bulk moves, as installed."""
+    runs = (run for file in files for module in file.modules for run in module.runs)
+    return frozenset(one.like.name.key for run in runs for one in run.between)
+
+
+def _routines(files: Sequence[tree.File], cell: CellNames) -> frozenset[str]:
+    """Folded names that hide installed ones."""
+    modules = (module for file in files for module in file.modules)
+    return (
+        frozenset(one.name.key for module in modules for one in module.routines)
+        | cell.symbols.keys()
+    )
 
 
 def _may_be_meant(names: Iterable[str], findings: Sequence[Diagnostic]) -> bool:

@@ -16,7 +16,7 @@ from rapidsim.controller.moves.executed_move import CornerKind, ExecutedMove
 from rapidsim.diagnostics import Diagnostic, Related
 from rapidsim.findings.runs import OutputBeforeTarget
 from rapidsim.language.moves import Place
-from rapidsim.simulation.results.sampling import evaluate
+from rapidsim.simulation.results.sampling import MOST_EXACT, evaluate
 from rapidsim.simulation.results.simulation import RobotRun
 from rapidsim.values import value_class
 
@@ -73,7 +73,8 @@ def _early(
     if not before:
         return
     times = np.array([event.time_s for event, _, _ in before])
-    here = evaluate(robot_run.trajectory, times).base_from_tcp.translation
+    coarse = len(robot_run.moves) > MOST_EXACT
+    here = evaluate(robot_run.trajectory, times, coarse=coarse).base_from_tcp.translation
     ends = np.array([move.base_from_tcp.translation for _, _, move in before])
     distances = (1000.0 * np.linalg.norm(here - ends, axis=1)).tolist()
     set_at: set[tuple[float, str]] = set()

@@ -11,7 +11,7 @@ that analysis can reject it with a better message than a parser could.
 Source: Technical reference manual RAPID Kernel, the syntax chapters.
 """
 
-from rapidsim.syntax.tree.bulk_statements import BulkRow, BulkStatements
+from rapidsim.syntax.tree.bulk_statements import BulkRow, BulkStatements, RepeatedCall
 from rapidsim.syntax.tree.declarations import (
     AliasType,
     Comment,
@@ -132,6 +132,7 @@ __all__ = [
     "Proc",
     "Raise",
     "RecordType",
+    "RepeatedCall",
     "RequiredArgument",
     "Retry",
     "Return",

@@ -1,4 +1,7 @@
-"""Bulk statements: statements that differ only in a target, stored as columns."""
+"""Bulk statements: statements that differ only in a target, stored as columns.
+
+Between bulk moves there may be calls that are repeated to the letter, such as those of an output.
+"""
 
 from __future__ import annotations
 
@@ -45,6 +48,8 @@ class BulkStatements(Node):
     """Folded names that they declare."""
     declared: Offsets | None = None
     """Offset of the line that declares each target; None if targets are written out."""
+    between: tuple[RepeatedCall, ...] = ()
+    """Calls between them, each with all its repetitions."""
 
     def __len__(self) -> int:
         """Number of statements."""
@@ -71,6 +76,24 @@ class BulkStatements(Node):
         declared = repeat(None) if self.declared is None else self.declared[which].tolist()
         for (start, end), line in zip(places, declared, strict=False):
             yield BulkRow(start, end, self.like, line)
+
+
+@node
+class RepeatedCall(Node):
+    """A call between bulk moves, repeated to the letter; a preceding one is in the tree."""
+
+    like: Call
+    move: Call
+    """The last of such moves before it."""
+    starts: Offsets
+    """Start offset of each repetition."""
+    moves_before: Offsets
+    """Number of bulk moves before each repetition."""
+
+    def rows(self) -> Iterator[BulkRow]:
+        """Yield the repetitions as rows."""
+        length = self.like.end - self.like.start
+        return (BulkRow(start, start + length, self.like, None) for start in self.starts.tolist())
 
 
 @node
