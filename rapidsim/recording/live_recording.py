@@ -8,8 +8,9 @@ from __future__ import annotations
 
 import subprocess
 import sys
+import uuid
 from collections.abc import Sequence
-from contextlib import ExitStack, suppress
+from contextlib import ExitStack
 from dataclasses import field
 from pathlib import Path
 from socket import create_connection
@@ -24,10 +25,9 @@ from rapidsim.files import InputError
 from rapidsim.frames.transform import Array, Transform
 from rapidsim.motion.robot.robot import Robot
 from rapidsim.motion.trajectory.samples import Samples
-from rapidsim.output_files import whole_file
 from rapidsim.recording.layout.blueprint import laid_out
 from rapidsim.recording.scene.arm import Chain, log_arm, log_motion
-from rapidsim.recording.stream import APPLICATION
+from rapidsim.recording.stream import recording_file
 from rapidsim.recording.timelines import SIM_TIME, Clock
 from rapidsim.recording.transforms import BASE, WORLD, static_frame
 from rapidsim.values import value_class
@@ -105,21 +105,10 @@ class LiveRecording:
         """
         if self.view:
             _open_viewer()
-        temporary = self._open.enter_context(whole_file(self.path))
-        stream = rr.RecordingStream(APPLICATION)
         layout = _layout([arm for arm, _ in arms])
-        try:
-            if self.view:
-                stream.set_sinks(rr.FileSink(temporary), rr.GrpcSink(), default_blueprint=layout)
-            else:
-                stream.save(temporary, default_blueprint=layout)
-        except (RuntimeError, OSError) as error:
-            self._open.close()
-            temporary.unlink(missing_ok=True)
-            raise InputError(f"--record: {error}") from None
-        stream.set_log_time_enabled(False)
-        stream.set_log_tick_enabled(False)
-        self._stream = stream
+        # Two sessions are never equal, as requests come when they come.
+        file = recording_file(self.path, uuid.uuid4(), layout, view=self.view)
+        stream = self._stream = self._open.enter_context(file)
         stream.log("/", rr.ViewCoordinates.RIGHT_HAND_Z_UP, rr.CoordinateFrame(WORLD), static=True)
         for arm, world_from_base in arms:
             where = static_frame(WORLD, arm.frame(BASE), world_from_base)
@@ -162,10 +151,7 @@ class LiveRecording:
             InputError: If its end could not be written.
         """
         if self._stream is not None:
-            stream, self._stream = self._stream, None
-            with suppress(RuntimeError):
-                stream.flush()
-            stream.disconnect()
+            self._stream = None
             self._open.close()
 
     def _log(self, time_s: float, entity: str, components: rr.AsComponents) -> None:

@@ -60,7 +60,7 @@ class _FileStream(rr.RecordingStream):
 
 @contextmanager
 def recording_file(
-    path: Path, recording_id: uuid.UUID, layout: rrb.Blueprint
+    path: Path, recording_id: uuid.UUID, layout: rrb.Blueprint, *, view: bool = False
 ) -> Iterator[rr.RecordingStream]:
     """Provide a stream that is saved to a file.
 
@@ -68,6 +68,7 @@ def recording_file(
         path: Target file, which appears only when the block has ended without an error.
         recording_id: Id by which the viewer merges equal recordings.
         layout: Layout of the viewer.
+        view: Whether a viewer that listens receives the data, too.
 
     Raises:
         InputError: If the file cannot be written.
@@ -77,7 +78,8 @@ def recording_file(
             _said_by_rerun(path),
             _FileStream(Path(temporary), recording_id) as stream,
         ):
-            stream.save(temporary, default_blueprint=layout)
+            viewers = [rr.GrpcSink()] if view else []
+            stream.set_sinks(rr.FileSink(temporary), *viewers, default_blueprint=layout)
             stream.set_log_time_enabled(False)
             stream.set_log_tick_enabled(False)
             yield stream

@@ -34,12 +34,29 @@ except InputError as error:
     sys.exit(2)
 """
 
+RECORD_LIVE = """
+import resource, sys
+from pathlib import Path
+resource.setrlimit(resource.RLIMIT_FSIZE, (int(sys.argv[2]),) * 2)
+from rapidsim.files import InputError
+from rapidsim.recording.live_recording import LiveRecording
+recording = LiveRecording(Path(sys.argv[1]), False)
+recording.begin([])
+try:
+    for number in range(5000):
+        recording.log_text(number, "texts", f"{number} " * 20)
+    recording.close()
+except (InputError, RuntimeError) as error:
+    print(error)
+    sys.exit(2)
+"""
 
-def record_elsewhere(path: Path, limit: int = 0) -> tuple[int, str]:
+
+def record_elsewhere(path: Path, limit: int = 0, script: str = RECORD) -> tuple[int, str]:
     """Record in another process, with a limit [bytes] on the size of files."""
     done = subprocess.run(
         # -B: compiled modules would be cut off too, and stay so for whoever comes next.
-        [sys.executable, "-B", "-c", RECORD, str(path), str(limit)],
+        [sys.executable, "-B", "-c", script, str(path), str(limit)],
         cwd=Path(__file__).parent,
         capture_output=True,
         text=True,
@@ -50,10 +67,11 @@ def record_elsewhere(path: Path, limit: int = 0) -> tuple[int, str]:
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="Windows has no limit on the size of files")
-def test_a_file_that_may_not_grow_is_said(tmp_path: Path) -> None:
+@pytest.mark.parametrize("script", [RECORD, RECORD_LIVE], ids=["run", "served"])
+def test_a_file_that_may_not_grow_is_said(script: str, tmp_path: Path) -> None:
     path = tmp_path / "frame.rrd"
     path.write_bytes(b"older")
-    code, words = record_elsewhere(path, limit=200_000)
+    code, words = record_elsewhere(path, 200_000, script)
     assert code == 2
     assert "cannot write" in words
     assert "the older `frame.rrd` is as it was" in words
