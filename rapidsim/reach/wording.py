@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from rapidsim.analysis.program import DataSymbol, LibrarySymbol, Program, Storage
 from rapidsim.controller.moves.target_labels import named_target
 from rapidsim.diagnostics import Edit, Fix, Related, Span
-from rapidsim.interpreter.codegen.calls import BoundArgument, match_arguments
+from rapidsim.interpreter.codegen.bound_arguments import BoundArgument, match_arguments
 from rapidsim.interpreter.codegen.written_paths import bare
 from rapidsim.reach.dataflow.known_moves import KnownMove
 from rapidsim.reach.dataflow.move_instructions import in_tree

@@ -20,7 +20,7 @@ from rapidsim.syntax.table import ACCEPT
 
 WORD = re.compile(rb"[A-Za-z_]\w*")
 ABSTRACT = {tree.Node, tree.RoutineNode}
-OF_LONG_PROGRAMS = {tree.BulkStatements, tree.BulkRow}
+OF_LONG_PROGRAMS = {tree.BulkStatements, tree.BulkRow, tree.RepeatedCall}
 """What a check makes of thousands of moves: tests/check/test_check_runs.py."""
 
 BOOK = [source for program in PROGRAMS for source in sources(program)]

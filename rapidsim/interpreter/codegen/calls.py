@@ -22,6 +22,7 @@ from rapidsim.analysis.program import (
 )
 from rapidsim.analysis.tree_walk import descendants
 from rapidsim.interpreter.codegen.ast_builder import AstBuilder
+from rapidsim.interpreter.codegen.bound_arguments import BoundArgument, match_arguments
 from rapidsim.interpreter.codegen.data_access import DataPathTranslator, by_reference
 from rapidsim.interpreter.codegen.expression_code import Code
 from rapidsim.interpreter.codegen.inlined_functions import function_in_place
@@ -30,7 +31,7 @@ from rapidsim.interpreter.codegen.special_forms import SPECIAL_FORMS
 from rapidsim.interpreter.codegen.written_paths import bare
 from rapidsim.interpreter.limits import NotExecutableError
 from rapidsim.interpreter.runtime.bulk_execution import ROW, BulkExecution
-from rapidsim.interpreter.runtime.late_binding import DeferredArgument, key_of
+from rapidsim.interpreter.runtime.late_binding import DeferredArgument
 from rapidsim.interpreter.runtime.loaded_calls import may_be_loaded
 from rapidsim.language.annotations import ParameterMode
 from rapidsim.language.initial_values import initial_value
@@ -40,38 +41,9 @@ from rapidsim.library.table import LibraryRoutine, Parameter, Signature
 from rapidsim.library.text import value_text
 from rapidsim.library.traits import ONLY_LOOKS, Trait
 from rapidsim.syntax import tree
-from rapidsim.values import value_class
 
 _SMALL = 60
 """Maximum number of nodes of a small routine."""
-
-
-@value_class(frozen=True, slots=True)
-class BoundArgument:
-    """Argument that a call passes for one parameter; without a value for a switch."""
-
-    value: tree.Expression | None = None
-    caller_option: tree.Name | None = None
-    """Option of the calling routine that a conditional argument depends on."""
-
-
-def match_arguments(
-    arguments: Sequence[tree.Argument], parameters: Sequence[ParameterSymbol | Parameter]
-) -> dict[str, BoundArgument]:
-    """Match the arguments of a call to parameters, by folded parameter name."""
-    required = (p.name.lower() for p in parameters if not p.optional)
-    given: dict[str, BoundArgument] = {}
-    for argument in arguments:
-        match argument:
-            case tree.RequiredArgument(value=value, name=name):
-                following = next(required, "")
-                key = following if name is None else key_of(name.key, parameters)
-                given[key] = BoundArgument(value)
-            case tree.OptionalArgument(name=name, value=value):
-                given[name.key] = BoundArgument(value)
-            case tree.ConditionalArgument(name=name, present=present):
-                given[name.key] = BoundArgument(None, present)
-    return given
 
 
 def takes_elements(routine: RoutineSymbol, program: Program) -> bool:

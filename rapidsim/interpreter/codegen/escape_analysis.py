@@ -15,7 +15,7 @@ from rapidsim.analysis.program import (
     Storage,
     Symbol,
 )
-from rapidsim.interpreter.codegen.calls import BoundArgument, match_arguments
+from rapidsim.interpreter.codegen.bound_arguments import BoundArgument, match_arguments
 from rapidsim.interpreter.codegen.data_access import by_reference
 from rapidsim.interpreter.codegen.inlined_instructions import assigned_in_place
 from rapidsim.interpreter.codegen.written_paths import bare, flat

@@ -27,7 +27,7 @@ from rapidsim.analysis.program import (
     Storage,
 )
 from rapidsim.analysis.tree_walk import clauses, descendants, statements
-from rapidsim.interpreter.codegen.calls import match_arguments
+from rapidsim.interpreter.codegen.bound_arguments import match_arguments
 from rapidsim.interpreter.codegen.conditions import narrowed, never_shows
 from rapidsim.interpreter.codegen.constant_tables import bounds_of, constant_table
 from rapidsim.interpreter.codegen.data_access import whole_number

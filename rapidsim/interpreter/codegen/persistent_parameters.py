@@ -19,7 +19,7 @@ from rapidsim.analysis.program import (
     Symbol,
 )
 from rapidsim.analysis.tree_walk import descendants
-from rapidsim.interpreter.codegen.calls import BoundArgument, match_arguments
+from rapidsim.interpreter.codegen.bound_arguments import BoundArgument, match_arguments
 from rapidsim.interpreter.codegen.written_paths import bare, flat
 from rapidsim.language.annotations import ParameterMode
 from rapidsim.syntax import tree

@@ -12,7 +12,7 @@ from types import FrameType
 
 from rapidsim.analysis.program import ParameterSymbol, RoutineSymbol, Symbol, UnknownSymbol
 from rapidsim.analysis.tree_walk import descendants
-from rapidsim.interpreter.codegen.calls import match_arguments
+from rapidsim.interpreter.codegen.bound_arguments import match_arguments
 from rapidsim.interpreter.codegen.written_paths import bare, flat
 from rapidsim.interpreter.runtime.call_stack import Origin, offsets_of
 from rapidsim.interpreter.runtime.error_recovery import GENERATED, is_generated

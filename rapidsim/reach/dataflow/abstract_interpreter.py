@@ -23,7 +23,7 @@ from rapidsim.analysis.program import (
     Symbol,
 )
 from rapidsim.analysis.tree_walk import clauses, statements
-from rapidsim.interpreter.codegen.calls import match_arguments
+from rapidsim.interpreter.codegen.bound_arguments import match_arguments
 from rapidsim.interpreter.codegen.data_access import by_reference
 from rapidsim.interpreter.codegen.written_paths import bare
 from rapidsim.library.table import LibraryRoutine

@@ -12,7 +12,7 @@ from typing import Any, Protocol
 
 from rapidsim.analysis.evaluation import NOT_STATIC, Evaluator, Known, NotStatic
 from rapidsim.analysis.program import LibrarySymbol, Program, RoutineSymbol, Symbol
-from rapidsim.interpreter.codegen.calls import BoundArgument, match_arguments
+from rapidsim.interpreter.codegen.bound_arguments import BoundArgument, match_arguments
 from rapidsim.interpreter.codegen.special_forms import SPECIAL_FORMS
 from rapidsim.language import types
 from rapidsim.language.annotations import ParameterMode

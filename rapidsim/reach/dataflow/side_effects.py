@@ -23,7 +23,7 @@ from rapidsim.analysis.program import (
     does,
 )
 from rapidsim.analysis.tree_walk import clauses, descendants, statements
-from rapidsim.interpreter.codegen.calls import BoundArgument, match_arguments
+from rapidsim.interpreter.codegen.bound_arguments import BoundArgument, match_arguments
 from rapidsim.interpreter.codegen.data_access import by_reference
 from rapidsim.interpreter.codegen.written_paths import bare
 from rapidsim.language.annotations import ParameterMode

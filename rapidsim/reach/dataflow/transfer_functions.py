@@ -6,7 +6,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import TypeAlias
 
 from rapidsim.analysis.evaluation import Evaluator, Known, NotStatic
-from rapidsim.interpreter.codegen.calls import match_arguments
+from rapidsim.interpreter.codegen.bound_arguments import match_arguments
 from rapidsim.interpreter.codegen.data_access import by_reference
 from rapidsim.interpreter.codegen.written_paths import bare
 from rapidsim.language.annotations import ParameterMode
