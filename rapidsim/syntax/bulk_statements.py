@@ -21,10 +21,10 @@ from __future__ import annotations
 import re
 import warnings
 from collections import Counter
-from collections.abc import Iterator, Sequence, Set
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from functools import lru_cache
-from itertools import compress, pairwise
+from itertools import pairwise, repeat
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -407,40 +407,44 @@ def _joined(
     columns = np.concatenate(tables)
     places = np.concatenate([run.starts for run in declarations])
     inner = np.concatenate([_inner(how.of_declared(table)) for table in tables])
-    names = [name for run in declarations for name in run.names]
-    row_of = {name: row for row, name in enumerate(names)}
+    row_of = {
+        name: row for row, name in enumerate(name for run in declarations for name in run.names)
+    }
     # For each move by name the row of its declaration; -1 without one in a run.
     rows = [np.array([row_of.get(name, -1) for name in run.names]) for run in by_name]
-    every = (*declarations, *by_name)
-    times = Counter(name for run in every for name in run.names)
-    wanted = {
-        name
-        for name in _inner_names(by_name, rows)
-        if times[name] == 2 and len(name) <= LONGEST_NAME and inner[row_of[name]]
-    }
-    wanted -= {word.lower() for word in rapid_table().words}
-    wanted -= _words(text, _omitted_spans(written, every, _masks(every, wanted)))
-    masks = iter(_masks(every, wanted))
-    found: list[SkippedSpan] = []
-    begin = 0
-    for run in declarations:
-        stop = begin + len(run.names)
-        found += _cut(run, next(masks), columns[begin:stop])
-        begin = stop
-    for run, row in zip(by_name, rows, strict=True):
-        found += _cut(run, next(masks), columns[row], places[row])
-    return found if len(wanted) * 2 > len(found) * _LEAST_STRETCH else []
+    targets = np.concatenate(rows)
+    # A name that is declared once, and used once.
+    wanted = np.bincount(targets[targets >= 0], minlength=len(columns)) == 1
+    if len(row_of) < len(columns):
+        every = (name for run in declarations for name in run.names)
+        wanted &= np.bincount([row_of[name] for name in every], minlength=len(columns)) == 1
+    # Its move has neighbours whose targets are in runs, too.
+    has_neighbours = np.zeros(len(columns), dtype=bool)
+    for row in rows:
+        has_neighbours[row[_inner(row >= 0)]] = True
+    wanted &= inner & has_neighbours
+    _remove(wanted, row_of, (name for name in row_of if len(name) > LONGEST_NAME))
+    _remove(wanted, row_of, (word.lower() for word in rapid_table().words))
+    runs = [*declarations, *by_name]
+    ends = np.cumsum([len(run.names) for run in declarations])[:-1]
+    masks = [*np.split(wanted, ends), *((row >= 0) & wanted[row] for row in rows)]
+    _remove(wanted, row_of, _words(text, _omitted_spans(written, runs, masks)))
+    masks = [*np.split(wanted, ends), *((row >= 0) & wanted[row] for row in rows)]
+    of_lines = [*np.split(columns, ends), *(columns[row] for row in rows)]
+    declared = [*repeat(None, len(declarations)), *(places[row] for row in rows)]
+    found = [
+        span
+        for run, *of_run in zip(runs, masks, of_lines, declared, strict=True)
+        for span in _cut(run, *of_run)
+    ]
+    return found if int(wanted.sum()) * 2 > len(found) * _LEAST_STRETCH else []
 
 
-def _inner_names(by_name: Sequence[_BulkBlock], rows: Sequence[Offsets]) -> Iterator[str]:
-    """Targets of moves by name whose neighbours also have their targets in runs."""
-    for run, row in zip(by_name, rows, strict=True):
-        yield from compress(run.names, _inner(row >= 0).tolist())
-
-
-def _masks(runs: Sequence[_BulkBlock], wanted: Set[str]) -> list[Mask]:
-    """Lines of each run whose name is wanted."""
-    return [np.array([name in wanted for name in run.names]) for run in runs]
+def _remove(wanted: Mask, row_of: Mapping[str, int], names: Iterable[str]) -> None:
+    """Unset the rows of some names."""
+    for name in names:
+        if (row := row_of.get(name)) is not None:
+            wanted[row] = False
 
 
 def _omitted_spans(
@@ -450,9 +454,8 @@ def _omitted_spans(
     places = [(one.begin, one.end) for one in written]
     for run, mask in zip(runs, masks, strict=True):
         edges = np.flatnonzero(np.diff(mask, prepend=False, append=False))
-        places += zip(
-            run.starts[edges[::2]].tolist(), run.ends[edges[1::2] - 1].tolist(), strict=True
-        )
+        begins, ends = run.starts[edges[::2]], run.ends[edges[1::2] - 1]
+        places += zip(begins.tolist(), ends.tolist(), strict=True)
     return sorted(places)
 
 

@@ -270,8 +270,8 @@ def _without_repeats(findings: Sequence[Diagnostic]) -> Iterator[Diagnostic]:
         and finding.violation.event == event_of(ERR_UNKINO)
     }
     for finding in findings:
-        place = finding.span and (finding.span.file, finding.span.line)
-        if place not in stopped or not isinstance(finding.violation, NeverConnected):
+        span = finding.span if isinstance(finding.violation, NeverConnected) else None
+        if span is None or (span.file, span.line) not in stopped:
             yield finding
 
 
