@@ -1,7 +1,8 @@
 """Joints of the arm at the end of each known move, in the stored configuration if possible.
 
 Lines and arcs whose configuration is not monitored, or not reachable, arrive in the configuration
-that their path leads to. If even that is unknown, the next path is not checked.
+that their path leads to. If even that is unknown, the next path is not checked. Behind a target out
+of reach the arm is where it would be without that move.
 """
 
 from __future__ import annotations
@@ -176,6 +177,8 @@ def stances_of(
     joints[ahead], sure[ahead] = ends.stored[ahead], ends.stored_works[ahead]
     for row, arrival in arrivals.items():
         joints[row], sure[row], ahead[row] = arrival, True, True
+    # What follows a target out of reach is checked as if that move were left out.
+    out_of_reach = ends.looked_at & ~ends.reachable
     # The row after the last of consecutive lines that end in the branch of their start.
     stops = np.append(np.flatnonzero(~in_line), count)
     stop = 0
@@ -183,6 +186,8 @@ def stances_of(
         if row < stop:
             continue
         known, before = moves.like(row), int(moves.previous[row])
+        while before >= 0 and out_of_reach[before]:
+            before = int(moves.previous[before])
         if may_be_led[row]:
             led = _wrist_circle_end(posed, ends, robot, model, row, joints, sure)
             if led is not None:

@@ -383,10 +383,10 @@ def _paths(
     checked[list(surveyed.circle_faults)] = True
     if beginning is not None and beginning.is_free:
         checked |= moves.begins & surveyed.stances.sure
-    unchecked: dict[int, UncheckedMove] = {}
-    for row in np.flatnonzero(paths & ~checked).tolist():
-        unchecked[int(moves.instruction[row])] = UncheckedMove(moves[row].span, _START_UNKNOWN)
-    return len(np.unique(moves.instruction[paths])), tuple(unchecked.values())
+    unchecked = np.unique(moves.instruction[paths & ~checked])
+    return len(np.unique(moves.instruction[paths])), tuple(
+        UncheckedMove(span, _START_UNKNOWN) for span in moves.instructions.spans_of(unchecked)
+    )
 
 
 _START_UNKNOWN = "it is not known where the arm begins with it, or how it turns on the way"
