@@ -33,9 +33,12 @@ from rapidsim.simulation.simulate import simulate
 
 SIMULATED = tuple(sorted(key for key, row in ROUTINES.items() if row.simulated))
 LONGEST_S = 0.05
-"""Of the processor, for a call."""
+"""Of the processor, for a call; on a slower machine more."""
 LONGEST_MOVE_S = 0.25
 """Of the processor, for a call that has a move planned, and for the plan."""
+_ADDITIONS = 200_000
+_ADDED_S = 0.015
+"""Of the processor, for so many additions, where these limits are meant."""
 MAX_TIME_S = 2.0
 """Of the run, so that calls that wait end."""
 NUMBERS = (
@@ -194,6 +197,17 @@ def _declared(line: str) -> str:
     return line.split(":=")[0].split("{")[0].split(";")[0].split()[-1]
 
 
+def slowness() -> float:
+    """Return how many times slower than meant this machine adds, at least one."""
+    longest = []
+    for _ in range(5):
+        begin, total = time.process_time(), 0
+        for number in range(_ADDITIONS):
+            total += number
+        longest.append(time.process_time() - begin)
+    return max(1.0, min(longest) / _ADDED_S)
+
+
 def slow_calls(calls: Sequence[Call]) -> tuple[int, list[Slow]]:
     """Execute calls, and return how many ran and which took too long.
 
@@ -217,33 +231,36 @@ def slow_calls(calls: Sequence[Call]) -> tuple[int, list[Slow]]:
             return 0, []
         calls = [call for number, call in enumerate(calls) if number not in refused]
     slow: list[Slow] = []
-    if seconds > LONGEST_S * max(len(calls), 20):
-        slow.append(Slow("the check of all", seconds - LONGEST_S * len(calls)))
+    scale = slowness()
+    if seconds > scale * LONGEST_S * max(len(calls), 20):
+        slow.append(Slow("the check of all", seconds - scale * LONGEST_S * len(calls)))
     robot = load_robot("irb1600-6-1.2")
     with TemporaryDirectory() as home:
         options = RunOptions(home=Path(home), max_time_s=MAX_TIME_S, max_wall_s=20.0)
 
-        def excess_of(entry: str) -> float:
-            """Seconds of the processor beyond what is allowed."""
+        def cost_of(entry: str) -> tuple[float, float]:
+            """Seconds of the processor, and how many are allowed beyond a run of nothing."""
             assert loaded.program is not None
             # Large arrays are few objects, which Python does not collect by itself.
             gc.collect()
             begin = time.process_time()
             run = simulate(loaded.program, robot, options=replace(options, entry=entry))
             seconds = time.process_time() - begin
-            return seconds - (LONGEST_MOVE_S if run.moves else LONGEST_S)
+            return seconds, LONGEST_MOVE_S if run.moves else LONGEST_S
 
         # What is here stays, and takes no time to look at again.
         gc.collect()
         gc.freeze()
-        base = min(excess_of("main") for _ in range(3)) + LONGEST_S
+        base_s = min(cost_of("main")[0] for _ in range(3))
         for number, call in enumerate(calls):
             # The first call of a formula may compile it, and the machine has other work.
             excess = 0.0
             for _ in range(4):
-                excess = excess_of(f"zq_call{number}") - base
+                seconds, allowed_s = cost_of(f"zq_call{number}")
+                excess = seconds - base_s - scale * allowed_s
                 if excess <= 0.0:
                     break
+                scale = max(scale, slowness())
             else:
                 slow.append(Slow(call.statement, excess))
     return len(calls), slow
