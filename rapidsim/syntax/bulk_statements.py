@@ -412,32 +412,45 @@ def _joined(
     }
     # For each move by name the row of its declaration; -1 without one in a run.
     rows = [np.array([row_of.get(name, -1) for name in run.names]) for run in by_name]
-    targets = np.concatenate(rows)
-    # A name that is declared once, and used once.
-    wanted = np.bincount(targets[targets >= 0], minlength=len(columns)) == 1
-    if len(row_of) < len(columns):
-        every = (name for run in declarations for name in run.names)
-        wanted &= np.bincount([row_of[name] for name in every], minlength=len(columns)) == 1
-    # Its move has neighbours whose targets are in runs, too.
-    has_neighbours = np.zeros(len(columns), dtype=bool)
-    for row in rows:
-        has_neighbours[row[_inner(row >= 0)]] = True
-    wanted &= inner & has_neighbours
+    wanted = inner & _used_once(declarations, rows, row_of)
     _remove(wanted, row_of, (name for name in row_of if len(name) > LONGEST_NAME))
     _remove(wanted, row_of, (word.lower() for word in rapid_table().words))
-    runs = [*declarations, *by_name]
     ends = np.cumsum([len(run.names) for run in declarations])[:-1]
-    masks = [*np.split(wanted, ends), *((row >= 0) & wanted[row] for row in rows)]
-    _remove(wanted, row_of, _words(text, _omitted_spans(written, runs, masks)))
-    masks = [*np.split(wanted, ends), *((row >= 0) & wanted[row] for row in rows)]
-    of_lines = [*np.split(columns, ends), *(columns[row] for row in rows)]
+    runs = [*declarations, *by_name]
+    left_out = _omitted_spans(written, runs, _of_lines(wanted, ends, rows))
+    _remove(wanted, row_of, _words(text, left_out))
+    numbers = [*np.split(columns, ends), *(columns[row] for row in rows)]
     declared = [*repeat(None, len(declarations)), *(places[row] for row in rows)]
-    found = [
-        span
-        for run, *of_run in zip(runs, masks, of_lines, declared, strict=True)
-        for span in _cut(run, *of_run)
-    ]
+    of_runs = zip(runs, _of_lines(wanted, ends, rows), numbers, declared, strict=True)
+    found = [span for run, *of_run in of_runs for span in _cut(run, *of_run)]
     return found if int(wanted.sum()) * 2 > len(found) * _LEAST_STRETCH else []
+
+
+def _used_once(
+    declarations: Sequence[_BulkBlock], rows: Sequence[Offsets], row_of: Mapping[str, int]
+) -> Mask:
+    """Mask of the declared names that one move of the runs uses, between others of these.
+
+    Args:
+        declarations: The runs that declare names.
+        rows: For each run of moves by name the rows of these; -1 where no run declares the name.
+        row_of: Row of each name.
+    """
+    count = sum(len(run.names) for run in declarations)
+    uses = np.concatenate(rows)
+    once: Mask = np.bincount(uses[uses >= 0], minlength=count) == 1
+    if len(row_of) < count:
+        declared = [row_of[name] for run in declarations for name in run.names]
+        once &= np.bincount(declared, minlength=count) == 1
+    between = np.zeros(count, dtype=bool)
+    for row in rows:
+        between[row[_inner(row >= 0)]] = True
+    return once & between
+
+
+def _of_lines(wanted: Mask, ends: Offsets, rows: Sequence[Offsets]) -> list[Mask]:
+    """Return which lines of each run have a wanted name, by the rows of the names."""
+    return [*np.split(wanted, ends), *((row >= 0) & wanted[row] for row in rows)]
 
 
 def _remove(wanted: Mask, row_of: Mapping[str, int], names: Iterable[str]) -> None:
