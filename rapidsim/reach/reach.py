@@ -383,10 +383,11 @@ def _paths(
     checked[list(surveyed.circle_faults)] = True
     if beginning is not None and beginning.is_free:
         checked |= moves.begins & surveyed.stances.sure
-    unchecked = np.unique(moves.instruction[paths & ~checked])
-    return len(np.unique(moves.instruction[paths])), tuple(
-        UncheckedMove(span, _START_UNKNOWN) for span in moves.instructions.spans_of(unchecked)
-    )
+    unchecked: list[UncheckedMove] = []
+    for number in np.unique(moves.instruction[paths & ~checked]).tolist():
+        call, module = moves.instructions[number]
+        unchecked.append(UncheckedMove(module.span(call), _START_UNKNOWN))
+    return len(np.unique(moves.instruction[paths])), tuple(unchecked)
 
 
 _START_UNKNOWN = "it is not known where the arm begins with it, or how it turns on the way"

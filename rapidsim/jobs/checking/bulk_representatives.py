@@ -37,10 +37,10 @@ def bulk_reading(more_than: int, *, keeps_data: bool = False) -> BulkReading:
 
     Rules declare in their table which targets they have no reason to look at by themselves.
     """
-    return BulkReading(more_than, _are_plain, _are_plain_data, is_plain_output, keeps_data)
+    return BulkReading(more_than, _are_plain, _are_plain_data, _is_plain_output, keeps_data)
 
 
-def is_plain_output(instruction: str) -> bool:
+def _is_plain_output(instruction: str) -> bool:
     """Whether an installed instruction sets an output, and nothing else."""
     traits = does(installed_symbol(instruction.lower()))
     return Trait.OUTPUT in traits and Trait.MOVE not in traits

@@ -5,8 +5,6 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Set
 from dataclasses import dataclass
 from functools import cached_property
-from itertools import groupby
-from operator import itemgetter
 from typing import TYPE_CHECKING, TypeAlias
 
 import numpy as np
@@ -26,7 +24,6 @@ MoveStatement: TypeAlias = tree.Call | tree.BulkRow
 Runs: TypeAlias = Mapping[tree.Call, tree.BulkStatements]
 """Bulk statements of a program, by the statement in the tree before each."""
 _NONE: Index = np.zeros(0, dtype=np.int64)
-_WHICH = itemgetter(0)
 _Written: TypeAlias = tuple[MoveStatement, tree.Module]
 
 
@@ -85,20 +82,6 @@ class MoveInstructions(RowSequence[_Written]):
         for call, module in self.of_tree:
             if call in calls:
                 yield from map(module.span, self._with_rows(call))
-
-    def spans_of(self, instructions: Index) -> Iterator[Span]:
-        """Yield the spans of instructions (m,), by their numbers in ascending order."""
-        of = self._firsts.searchsorted(instructions, "right") - 1
-        for which, numbers in groupby(zip(of.tolist(), instructions.tolist(), strict=True), _WHICH):
-            call, module = self.of_tree[which]
-            behind = np.array([number for _, number in numbers]) - self._firsts[which] - 1
-            if behind[0] < 0:
-                yield module.span(call)
-                behind = behind[1:]
-            if len(behind):
-                run = self.runs[call]
-                places = zip(run.starts[behind].tolist(), run.ends[behind].tolist(), strict=True)
-                yield from (Span(module.source, start, end) for start, end in places)
 
     def start_around(self, file: str, offset: int) -> int | None:
         """Return the start of the last instruction that begins up to an offset and contains it."""
