@@ -203,10 +203,9 @@ class PathSurvey:
     def _strays(self, surveyed: SurveyedPaths) -> dict[int, Array]:
         """Return joints (n,) [rad] of rows that newly arrive elsewhere than their end implies."""
         arrive = np.flatnonzero(surveyed.arrives & ~surveyed.is_broken & surveyed.stances.sure)
-        off = np.abs(surveyed.arrival[arrive] - surveyed.stances.joints[arrive]).max(
-            axis=-1, initial=0.0
-        )
-        rows = arrive[off > _SAME_JOINTS].tolist()
+        off = surveyed.arrival[arrive]
+        off -= surveyed.stances.joints[arrive]
+        rows = arrive[np.abs(off, out=off).max(axis=-1, initial=0.0) > _SAME_JOINTS].tolist()
         return {row: surveyed.arrival[row] for row in rows if row not in surveyed.strays}
 
     def _requires_stored(self, row: int) -> bool:

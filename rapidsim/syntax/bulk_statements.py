@@ -21,7 +21,7 @@ from __future__ import annotations
 import re
 import warnings
 from collections import Counter
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from functools import lru_cache
 from itertools import pairwise, repeat
@@ -121,8 +121,10 @@ class _BulkBlock:
     ends: Offsets
     """Offset behind each line."""
     numbers: Numbers | None
-    """Numbers as written, of each line that is no call between: shape (rows, 17); None for moves by
+    """Numbers of each line that is no call between, as `num`: shape (rows, 17); None for moves by
     name."""
+    plain: Mask
+    """Which of these lines are of no interest by themselves: shape (rows,); all moves by name."""
     names: Sequence[str]
     """Folded names; empty if targets are written out."""
     calls: Offsets
@@ -138,13 +140,13 @@ def skipped_spans(text: str, how: BulkReading) -> tuple[SkippedSpan, ...]:
         if not one.names:
             assert one.numbers is not None
             plain = one.calls > 0
-            plain[~plain] = how.of_targets(one.numbers)
+            plain[~plain] = one.plain
             mask, by = _represented(one.calls, plain)
             written += _cut(one, mask, one.numbers, by=by)
         else:
             (by_name if one.numbers is None else declarations).append(one)
     may_join = declarations and by_name and not how.keeps_data
-    named = _joined(text, written, declarations, by_name, how) if may_join else []
+    named = _joined(text, written, declarations, by_name) if may_join else []
     return tuple(sorted([*written, *named], key=lambda one: one.like))
 
 
@@ -153,9 +155,9 @@ def _runs(text: str, how: BulkReading) -> Iterator[_BulkBlock]:
     while (first := _LINE.search(text, position)) is not None:
         head, name, rest, head_of_data, becomes, rest_of_data = first.groups()
         words: tuple[str, ...] = (head, rest)
-        varying = _TARGET if name is None else _NAME
+        varying, are_plain = (_TARGET, how.of_targets) if name is None else (_NAME, None)
         if head is None:
-            words = (head_of_data, becomes, rest_of_data)
+            words, are_plain = (head_of_data, becomes, rest_of_data), how.of_declared
             varying = f"{_NAME}{re.escape(becomes)}{_TARGET}"
         pattern = _pattern(words[0], varying, words[-1])
         found = pattern.match(text, first.start())
@@ -166,7 +168,7 @@ def _runs(text: str, how: BulkReading) -> Iterator[_BulkBlock]:
         position = parts[-1][1]
         long = text.count("\n", first.start(), position) >= LEAST_LINES
         if long and "".join(words).isascii():
-            run = _read_parts(text, parts, words, is_by_name=name is not None)
+            run = _read_parts(text, parts, words, are_plain)
             if run is not None:
                 yield _with_calls(run, calls) if calls else run
 
@@ -197,13 +199,16 @@ def _pattern(head: str, varying: str, rest: str) -> re.Pattern[str]:
 
 
 def _read_parts(
-    text: str, parts: Sequence[tuple[int, int]], words: tuple[str, ...], *, is_by_name: bool
+    text: str,
+    parts: Sequence[tuple[int, int]],
+    words: tuple[str, ...],
+    are_plain: Callable[[Numbers], Mask] | None,
 ) -> _BulkBlock | None:
     """Read the columns of the matched parts of a run."""
     if len(parts) == 1:
-        return _read(text, *parts[0], words, is_by_name=is_by_name)
+        return _read(text, *parts[0], words, are_plain)
     joined = "".join(text[begin:end] for begin, end in parts)
-    run = _read(joined, 0, len(joined), words, is_by_name=is_by_name)
+    run = _read(joined, 0, len(joined), words, are_plain)
     if run is None:
         return None
     begins, stops = np.array(parts).T
@@ -229,11 +234,24 @@ def _with_calls(run: _BulkBlock, calls: Sequence[re.Match[str]]) -> _BulkBlock:
 
 
 def _read(
-    text: str, begin: int, end: int, words: tuple[str, ...], *, is_by_name: bool
+    text: str,
+    begin: int,
+    end: int,
+    words: tuple[str, ...],
+    are_plain: Callable[[Numbers], Mask] | None,
 ) -> _BulkBlock | None:
-    """Read the columns of a matched part of a run."""
+    """Read the columns of a matched part of a run.
+
+    Args:
+        text: The text.
+        begin: Offset of the first line.
+        end: Offset behind the last.
+        words: The parts of a line that do not vary.
+        are_plain: Returns which targets (k,) of numbers (k, 17), as written, are of no interest by
+            themselves; None for moves by name.
+    """
     head, *becomes, rest = words
-    lines, numbers = [], []
+    lines, numbers, plain = [], [], []
     names: list[str] = []
     while begin < end:
         stop = end if end - begin <= _BLOCK else text.index("\n", begin + _BLOCK) + 1
@@ -242,24 +260,28 @@ def _read(
         behind = np.flatnonzero(of_block == ord("\n")) + begin + 1
         lines.append(np.concatenate([[begin], behind[:-1]]))
         varying = block.replace(rest, "\n").replace(head, "")
-        if is_by_name:
-            names += varying.lower().split()
-        elif becomes:
+        if becomes:
             parts = varying.replace(f"{becomes[0]}[", "\n[").split("\n")
             names += [name.lower() for name in parts[:-1:2]]
             varying = "\n".join(parts[1::2])
-        if not is_by_name:
+        if are_plain is None:
+            names += varying.lower().split()
+        else:
             values = _numbers(varying)
             if values.shape != (len(behind), TARGET_WIDTH):
                 return None
-            numbers.append(values)
+            plain.append(are_plain(values))
+            with np.errstate(over="ignore"):
+                numbers.append(values.astype(np.float32))
         begin = stop
     starts = np.append(np.concatenate(lines), end)
-    if (is_by_name or becomes) and len(names) != len(starts) - 1:
+    count = len(starts) - 1
+    if (are_plain is None or becomes) and len(names) != count:
         return None
     table = np.concatenate(numbers) if numbers else None
-    no_calls = np.zeros(len(starts) - 1, dtype=np.int64)
-    return _BulkBlock(starts[:-1], starts[1:], table, names, no_calls)
+    mask = np.concatenate(plain) if plain else np.ones(count, dtype=bool)
+    no_calls = np.zeros(count, dtype=np.int64)
+    return _BulkBlock(starts[:-1], starts[1:], table, mask, names, no_calls)
 
 
 def _numbers(targets: str) -> Numbers:
@@ -327,7 +349,8 @@ def _cut(
     Args:
         run: The run.
         left_out: Mask of its skipped lines.
-        numbers: Numbers of the target of each line that is no call between, shape (rows, 17).
+        numbers: Numbers of the target of each line that is no call between, as `num`: shape
+            (rows, 17).
         declared: Offset of the declaration of each target.
         by: Line that represents each call between; None if there are no calls.
     """
@@ -350,8 +373,8 @@ def _cut(
             int(run.ends[stop - 1]),
             run.starts[lines],
             run.ends[lines],
-            numbers[rows].astype(np.float32),
-            numbers[like].astype(np.float32),
+            numbers[rows],
+            numbers[like],
             tuple(run.names[rows]) if has_values else (),
             None if declared is None else declared[rows],
             () if by is None else tuple(_skipped_calls(run, calls, row_of[calls] - like, by)),
@@ -397,7 +420,6 @@ def _joined(
     written: Sequence[SkippedSpan],
     declarations: Sequence[_BulkBlock],
     by_name: Sequence[_BulkBlock],
-    how: BulkReading,
 ) -> list[SkippedSpan]:
     """Return the spans of declarations and of moves by their names; empty if they are few.
 
@@ -406,7 +428,7 @@ def _joined(
     tables = [run.numbers for run in declarations if run.numbers is not None]
     columns = np.concatenate(tables)
     places = np.concatenate([run.starts for run in declarations])
-    inner = np.concatenate([_inner(how.of_declared(table)) for table in tables])
+    inner = np.concatenate([_inner(run.plain) for run in declarations])
     row_of = {
         name: row for row, name in enumerate(name for run in declarations for name in run.names)
     }
@@ -419,7 +441,7 @@ def _joined(
     runs = [*declarations, *by_name]
     left_out = _omitted_spans(written, runs, _of_lines(wanted, ends, rows))
     _remove(wanted, row_of, _words(text, left_out))
-    numbers = [*np.split(columns, ends), *(columns[row] for row in rows)]
+    numbers = [*np.split(columns, ends), *(_rows(columns, row) for row in rows)]
     declared = [*repeat(None, len(declarations)), *(places[row] for row in rows)]
     of_runs = zip(runs, _of_lines(wanted, ends, rows), numbers, declared, strict=True)
     found = [span for run, *of_run in of_runs for span in _cut(run, *of_run)]
@@ -446,6 +468,12 @@ def _used_once(
     for row in rows:
         between[row[_inner(row >= 0)]] = True
     return once & between
+
+
+def _rows(columns: Numbers, rows: Offsets) -> Numbers:
+    """Return the numbers (k, 17) of some rows, without a copy of consecutive ones."""
+    is_consecutive = len(rows) > 0 and rows[0] >= 0 and bool((np.diff(rows) == 1).all())
+    return columns[rows[0] : rows[-1] + 1] if is_consecutive else columns[rows]
 
 
 def _of_lines(wanted: Mask, ends: Offsets, rows: Sequence[Offsets]) -> list[Mask]:
