@@ -112,7 +112,7 @@ def _inlined(made: Made, dice: Dice) -> tuple[Made, Made] | None:
             procedure = match.group().replace(clause or "\0", "")
             begin = plain.replace(match.group(), procedure)
             head, found, main = begin.partition("  PROC main()\n")
-            main, changes = re.subn(rf"(?m)^    {name};\n", body.replace("\\", r"\\"), main)
+            main, changes = re.subn(rf"(?m)^ +{name};\n", body.replace("\\", r"\\"), main)
             if found and changes:
                 return made.with_text(file, begin), made.with_text(file, head + found + main)
     return None

@@ -16,6 +16,9 @@ from rapidsim.library.predefined import TYPES
 
 STATION = "rapidsim.toml"
 SPOILED = 0.05
+REPEATED = 0.5
+"""Share of the mains that repeat their statements."""
+ROUNDS = (2, 20, 200)
 _SIGNALS = """
 [signals]
 di1 = { type = "di", value = 0 }
@@ -173,6 +176,9 @@ class _Task:
                 if self.dice.chance(0.3):
                     body += self.statements.statement(around)
             body.append("SyncMoveOff zq_apart;")
+        if self.dice.chance(REPEATED):
+            loop = f"FOR zq_round FROM 1 TO {self.dice.of(ROUNDS)} DO"
+            body = [loop, *indented(body), "ENDFOR"]
         return self._routine("PROC main()", body, around, "ENDPROC")
 
     def _procedure(self, wanted: Sequence[str] = ()) -> Lines:
