@@ -35,12 +35,6 @@ def paged(answer: Mapping[str, object], lists: Sequence[str], cursor: int) -> An
     return page
 
 
-def paged_text(text: str, cursor: int) -> tuple[str, int | None]:
-    """Return the part of a text from a cursor on that fits, and the next cursor."""
-    end = cursor + LARGEST // 2
-    return text[cursor:end], end if end < len(text) else None
-
-
 def _entries(value: object) -> Sequence[object]:
     return value if isinstance(value, list) else ()
 

@@ -31,7 +31,7 @@ from rapidsim.controller.sensor_exchange import data_for_sensor, take_answer
 from rapidsim.controller.sensor_identities import ActiveGuidance, SensorIdentity
 from rapidsim.controller.sensor_streams import SensorStream
 from rapidsim.controller.signal_sensor import SignalSensor
-from rapidsim.findings.guidance import NobodyGuides
+from rapidsim.findings.runs import NobodyGuides
 from rapidsim.language.error_numbers import ERR_UDPUC_COMM, rapid_error
 from rapidsim.language.errors import NotAllowed, RapidError
 from rapidsim.language.guidance import (

@@ -14,7 +14,7 @@ from rapidsim.controller.clock import TaskClock
 from rapidsim.controller.journal.events import MAX_TIME, EventKind
 from rapidsim.controller.journal.journal import Journal
 from rapidsim.controller.journal.stop_reasons import WaitsForever
-from rapidsim.findings.sockets import NobodyAnswers, NobodyConnects
+from rapidsim.findings.runs import NobodyAnswers, NobodyConnects
 from rapidsim.language.error_numbers import ERR_SOCK_CLOSED, rapid_error
 from rapidsim.language.sockets import Connection, Datagram, DatagramPort, Listener
 from rapidsim.values import value_class

@@ -22,8 +22,7 @@ from rapidsim.controller.queue.motion_queue import MAX_OPEN_MOVES
 from rapidsim.controller.queue.path_marks import PathMarks
 from rapidsim.controller.queue.zone_table import WorldZoneTable
 from rapidsim.controller.synchronisation import TaskSynchronisation
-from rapidsim.findings.levels import MoveWithoutStorePath
-from rapidsim.findings.ramps import RampWaits
+from rapidsim.findings.runs import MoveWithoutStorePath, RampWaits
 from rapidsim.language.error_log import CORNER_PATH_FAILURE
 from rapidsim.language.error_numbers import ERR_CONC_MAX, rapid_error
 from rapidsim.language.errors import NotAllowed

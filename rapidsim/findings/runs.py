@@ -99,3 +99,47 @@ class OutputBeforeTarget(Violation, code="R117"):
     target: str
     times: str
     """Number of occurrences for the message; empty for one."""
+
+
+class MoveWithoutStorePath(Violation, code="R130"):
+    instruction: str
+
+
+class RampWaits(Violation, code="R113"):
+    wanted: float
+    achieved: float
+
+
+class BeltNotFollowed(Violation, code="R132"):
+    conveyor: str
+    time_s: float
+    reason: str
+
+
+class NobodyGuides(Violation, code="R150"):
+    device: str
+
+
+class CornerTooFast(Violation, code="R116"):
+    load: float
+    limit: str
+    """The exceeded limit, such as `torque of axis 2`."""
+    other_text: str
+    """Number of other such corners, for the message; empty for none."""
+
+
+class CornerSpeedUncertain(Violation, code="R118"):
+    limit: str
+    """The limit that is reached in the corner, such as `torque of axis 2`."""
+    difference: str
+    """Difference of a controller's speed and time."""
+    other_text: str
+    """Number of other such corners, for the message; empty for none."""
+
+
+class NobodyAnswers(Violation, code="R112"):
+    place: str
+
+
+class NobodyConnects(Violation, code="R115"):
+    port: int

@@ -6,7 +6,7 @@ import re
 
 from lsprotocol import types as lsp
 
-from rapidsim.analysis.occurrences.names import NamesOfNodes, Occurrence, declared_name
+from rapidsim.analysis.occurrences.names import NamesOfNodes, declared_name
 from rapidsim.analysis.occurrences.search import occurrences
 from rapidsim.analysis.occurrences.symbols import (
     ComponentSymbol,
@@ -74,12 +74,6 @@ def document_highlights(document: Document, position: lsp.Position) -> list[lsp.
         )
         for one in occurrences(found.symbol, names, (document.file,))
     ]
-
-
-def symbol_at(document: Document, position: lsp.Position) -> Occurrence | None:
-    """Return the name at a position if its symbol is known."""
-    found = document.name_at(position)
-    return None if found is None or found.symbol is None else found
 
 
 def _declared_at(

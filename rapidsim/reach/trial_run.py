@@ -18,15 +18,16 @@ from rapidsim.controller.moves.executed_move import ExecutedMove
 from rapidsim.diagnostics import Diagnostic, Severity, Span
 from rapidsim.files import InputError
 from rapidsim.findings.collisions import is_of_cell, is_of_parts
-from rapidsim.findings.guidance import NobodyGuides
 from rapidsim.findings.reach_and_motion_data import MainAxesSwitched
 from rapidsim.findings.runs import (
     EndlessWait,
+    NobodyAnswers,
+    NobodyConnects,
+    NobodyGuides,
     NotDeclaredHere,
     QuestionUnanswered,
     is_of_runs,
 )
-from rapidsim.findings.sockets import NobodyAnswers, NobodyConnects
 from rapidsim.frames.transform import Array
 from rapidsim.interpreter.limits import NotExecutableError
 from rapidsim.language.errors import Stopped

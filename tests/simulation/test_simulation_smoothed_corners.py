@@ -9,7 +9,7 @@ import pytest
 from simulation_program import ran
 
 from rapidsim.diagnostics import Severity
-from rapidsim.findings.smoothing import CornerTooFast
+from rapidsim.findings.runs import CornerTooFast
 from rapidsim.motion.model import MODELS, MotionModel
 
 DATA = "CONST robtarget p:=[[700,0,700],[0,0,1,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]];"

@@ -6,7 +6,7 @@ import pytest
 from simulation_program import ran
 
 from rapidsim.files import SourceFile
-from rapidsim.findings.smoothing import CornerSpeedUncertain
+from rapidsim.findings.runs import CornerSpeedUncertain
 from rapidsim.jobs.checking.checked_program import load
 from rapidsim.motion.robot.robot import load_robot
 from rapidsim.simulation.options import RunOptions

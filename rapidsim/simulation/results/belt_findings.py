@@ -14,7 +14,7 @@ from rapidsim.controller.moves.executed_move import ExecutedMove
 from rapidsim.controller.moves.executed_moves import ExecutedMoves
 from rapidsim.controller.moves.queued_move import QueuedMove
 from rapidsim.diagnostics import Diagnostic
-from rapidsim.findings.belts import BeltNotFollowed
+from rapidsim.findings.runs import BeltNotFollowed
 from rapidsim.motion.geometry.segments import Segment
 from rapidsim.motion.robot.robot import Robot
 from rapidsim.motion.timing.axis_limits import Limits

@@ -13,7 +13,7 @@ import numpy as np
 from rapidsim.controller.moves.executed_move import CornerKind, ExecutedMove
 from rapidsim.controller.moves.executed_moves import ExecutedMoves
 from rapidsim.diagnostics import Diagnostic
-from rapidsim.findings.smoothing import CornerTooFast
+from rapidsim.findings.runs import CornerTooFast
 from rapidsim.motion.model import MotionModel
 from rapidsim.motion.robot.external_axes import Axes
 from rapidsim.motion.timing.axis_limits import Limits, limits_along

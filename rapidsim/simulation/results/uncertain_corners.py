@@ -15,7 +15,7 @@ import numpy as np
 from rapidsim.controller.moves.executed_move import CornerKind, ExecutedMove
 from rapidsim.controller.moves.executed_moves import ExecutedMoves
 from rapidsim.diagnostics import Diagnostic
-from rapidsim.findings.smoothing import CornerSpeedUncertain
+from rapidsim.findings.runs import CornerSpeedUncertain
 from rapidsim.frames.transform import Array
 from rapidsim.motion.geometry.segments import Geometry
 from rapidsim.motion.model import MotionModel
