@@ -5,6 +5,7 @@ programs of rules.
 import gc
 import os
 from collections.abc import Generator
+from contextlib import suppress
 from itertools import count
 from pathlib import Path
 from tempfile import TemporaryDirectory
@@ -13,6 +14,7 @@ from unittest.mock import patch
 import pytest
 from command_line import PROCESS, SWITCH
 from hypothesis import HealthCheck, settings
+from hypothesis.internal.conjecture import providers
 from laws import PROFILE
 
 from rapidsim.diagnostics import all_rules
@@ -48,6 +50,11 @@ settings.register_profile(
 settings.register_profile("fast", settings.get_profile("ci"), max_examples=8)
 settings.register_profile("explore", deadline=None, max_examples=500)
 settings.load_profile(PROFILE)
+if PROFILE != "explore":
+    # Hypothesis also tries constants of the modules that are loaded: with them the cases of a law
+    # would depend on which tests have run before.
+    with suppress(AttributeError):
+        providers._get_local_constants = lambda: providers._local_constants
 
 COMPILED = "RAPIDSIM_TESTS_COMPILED"
 """The variable that tells the processes of the suite where compiled modules go."""
