@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from unittest.mock import patch
 
 import numpy as np
 import pytest
@@ -17,7 +18,7 @@ from rapidsim.motion.geometry.segments import Speed
 from rapidsim.motion.model import Averages, MotionModel
 from rapidsim.motion.path.curve_following import PathFault
 from rapidsim.motion.timing.planning import plan
-from rapidsim.motion.trajectory.command import Piece
+from rapidsim.motion.trajectory.command import MotionCommand, Piece
 from rapidsim.motion.trajectory.trajectory import Trajectory
 
 FILTER = MotionModel().window
@@ -142,6 +143,22 @@ def test_samples_do_not_depend_on_each_other() -> None:
         start = whole.start_time + whole.timing.time_at(begin)
         parts.append(Piece(start, whole.path, whole.timing, begin, end))
     assert np.abs(at_once - parts.at(times).joints).max() < 1e-9
+
+
+def test_a_sample_of_a_long_move_needs_what_its_window_covers() -> None:
+    """At 0.1 mm/s the corner takes hours, and most of them pass at one acceleration."""
+    trajectory = corner(1e-4, 10)
+    times = np.linspace(0.0, trajectory.duration, 9)
+    seen, at_once = [0], MotionCommand.joints_at
+
+    def counted(command: MotionCommand, instants: Array) -> Array:
+        seen[0] += len(instants)
+        return at_once(command, instants)
+
+    with patch.object(MotionCommand, "joints_at", counted):
+        joints = trajectory.at(times).joints
+    assert seen[0] < 1000
+    assert np.abs(joints - on_the_path(trajectory).at(times).joints).max() < 1e-5
 
 
 def test_speed_is_that_of_the_tcp() -> None:

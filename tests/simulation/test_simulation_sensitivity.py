@@ -56,6 +56,17 @@ def test_a_long_run_is_not_timed_again(monkeypatch: pytest.MonkeyPatch) -> None:
     assert extra_time_s(run.only.trajectory, limits_of(run.only.robot, run.model), 2.0) is None
 
 
+def test_programmed_times_count_as_much_as_their_bisection(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """2,000 of them took four times as long to time again as all moves of a run usually do."""
+    monkeypatch.setattr(acceleration_sensitivity, "MOST_SEGMENTS", 50)
+    for text, is_timed_again in ((PROGRAM, True), (PROGRAM.replace("v500", "v500\\T:=2"), False)):
+        run = ran(text).run
+        extra_s = extra_time_s(run.only.trajectory, limits_of(run.only.robot, run.model), 2.0)
+        assert (extra_s is not None) == is_timed_again
+
+
 def test_cycles_that_repeat_are_timed_again_once(monkeypatch: pytest.MonkeyPatch) -> None:
     main = PROGRAM.replace("main()", "cycle()")
     loop = (

@@ -11,6 +11,8 @@ depends on the time covered by all windows, for any density of samples.
 
 from __future__ import annotations
 
+from typing import Literal
+
 import numpy as np
 
 from rapidsim.frames.transform import Array
@@ -142,18 +144,25 @@ def _parts(command: MotionCommand, before: Array, times: Array) -> _Parts:
     # Beyond the nodes the command is at rest; in between, samples do not define the ends of parts.
     ends = min(before[0], nodes.min(initial=np.inf)), max(times[-1], nodes.max(initial=-np.inf))
     edges = np.unique(np.concatenate([nodes, ends]))
-    # Windows begin and end in the same order.
-    change = np.zeros(len(edges), dtype=np.int64)
-    np.add.at(change, np.searchsorted(edges, before, side="right") - 1, 1)
-    np.add.at(change, np.searchsorted(edges, times, side="left"), -1)
-    covered = np.flatnonzero(np.cumsum(change) > 0)
     place = command.place_at(edges)
-    stands = place[covered + 1] == place[covered]
-    whole = edges[covered + 1] - edges[covered]
+    stands = place[1:] == place[:-1]
+    whole = edges[1:] - edges[:-1]
     count = np.where(stands, 1, np.ceil(whole / _LONGEST_PART_S)).astype(np.int64)
-    row, number = repeated(count)
-    width = (whole / count)[row]
-    start = edges[covered][row] + width * number
+    widths = whole / count
+    # All parts between the edges have numbers; those are computed that a window covers.
+    numbered = np.cumsum(count) - count
+
+    def part_at(times: Array, side: Literal["left", "right"]) -> Index:
+        """Return the parts that contain instants (k,) [s], at an edge the one on that side."""
+        row = np.searchsorted(edges, times, side=side) - 1
+        row = row.clip(0, len(whole) - 1)
+        number = ((times - edges[row]) / widths[row]).astype(np.int64)
+        part: Index = numbered[row] + number.clip(0, count[row] - 1)
+        return part
+
+    part = _covered(part_at(before, "right"), part_at(times, "left"))
+    row = np.searchsorted(numbered, part, side="right") - 1
+    start, width = edges[row] + widths[row] * (part - numbered[row]), widths[row]
     return _integrated(start, width, *_powers(command, start, width, stands[row]))
 
 
@@ -161,15 +170,24 @@ def _even_parts(command: MotionCommand, before: Array, times: Array) -> _Parts:
     """Return parts of equal width, at multiples of it, that such windows cover."""
     first = np.floor(before / PART_S).astype(np.int64)
     last = np.ceil(times / PART_S).astype(np.int64)
-    change = np.zeros(last[-1] - first[0] + 1, dtype=np.int64)
-    np.add.at(change, first - first[0], 1)
-    np.add.at(change, last - first[0], -1)
-    part = first[0] + np.flatnonzero(np.cumsum(change) > 0)
+    part = _covered(first, last - 1)
     joints = command.joints_in_parts(part)
     origin = joints[0, 0]
     powers = np.zeros((len(part), _MOST, len(origin)))
     powers[:, : len(PLACES)] = np.einsum("pg,mgn->mpn", _GAUSS[len(PLACES)][1], joints - origin)
-    return _integrated(PART_S * part, np.full(len(part), PART_S), origin, powers)
+    width = np.full(len(part), PART_S)
+    return _integrated(part * width, width, origin, powers)
+
+
+def _covered(first: Index, last: Index) -> Index:
+    """Return all parts from the first (k,) to the last (k,) of windows, once each, ascending.
+
+    Windows begin and end in the same order.
+    """
+    new = first.copy()
+    np.maximum(new[1:], last[:-1] + 1, out=new[1:])
+    row, number = repeated(np.maximum(last - new + 1, 0))
+    return new[row] + number
 
 
 def _integrated(start: Array, width: Array, origin: Array, powers: Array) -> _Parts:

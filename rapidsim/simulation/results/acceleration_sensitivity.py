@@ -17,6 +17,8 @@ from rapidsim.motion.trajectory.trajectory import Trajectory
 
 MOST_SEGMENTS = 2000
 """Runs with more planned segments are not timed again: it would take as long as they did."""
+_TIMES_PROGRAMMED = 20
+"""Weight of a segment of a path with programmed times, whose speeds are found by bisection."""
 _TOGETHER_S = 1e-9
 
 
@@ -28,7 +30,7 @@ def extra_time_s(trajectory: Trajectory, limits: Limits, factor: float) -> float
         limits: Limits of the arm in the run.
         factor: Factor on the accelerations of all axes.
     """
-    if sum(len(piece.path.segments) for piece in trajectory.pieces) > MOST_SEGMENTS:
+    if sum(_weight(piece.path) for piece in trajectory.pieces) > MOST_SEGMENTS:
         return None
     scaled = limits.scaled(factor)
     extra_s, speed, ends_s = 0.0, 0.0, 0.0
@@ -47,3 +49,10 @@ def extra_time_s(trajectory: Trajectory, limits: Limits, factor: float) -> float
         speed = timing.speed_at(until_s)
         ends_s = piece.start_time + before_s
     return extra_s
+
+
+def _weight(path: Path) -> int:
+    """Return the number of segments, each as often as timing one takes longer than usual."""
+    segments = path.segments
+    is_timed = any(segment.duration is not None for segment in segments)
+    return len(segments) * (_TIMES_PROGRAMMED if is_timed else 1)
