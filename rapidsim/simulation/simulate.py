@@ -98,13 +98,13 @@ def _run(
     journal = Journal(setups[0].name)
     journals = (journal, *(journal.for_task(setup.name) for setup in setups[1:]))
     cell = Cell(options.cell, journal)
-    runs = [
-        prepare(setup, arms[0], cell, own, options)
-        for setup, own in zip(setups, journals, strict=True)
-    ]
-    if watch is not None:
-        watch(RunInProgress(cell, lambda: runs))
     try:
+        runs = [
+            prepare(setup, arms[0], cell, own, options)
+            for setup, own in zip(setups, journals, strict=True)
+        ]
+        if watch is not None:
+            watch(RunInProgress(cell, lambda: runs))
         if len(runs) == 1:
             only = runs[0]
             loading = partial(load, only.setup.program, only.controller.concerns)
@@ -113,6 +113,7 @@ def _run(
             outcomes = run_all_tasks(runs, cell, options)
         time_s = max(run.controller.clock.end_time_s() for run in runs if run.setup.counts)
     finally:
+        cell.watchdog.is_needed = False
         cell.close()
         cell.watchdog.rest()
     cell.detach_scheduler()

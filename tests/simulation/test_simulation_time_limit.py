@@ -4,6 +4,7 @@ import sys
 from collections import deque
 from dataclasses import replace
 from threading import Thread
+from threading import enumerate as threads
 from time import monotonic, thread_time
 from types import SimpleNamespace
 
@@ -16,6 +17,7 @@ from rapidsim.controller.cell.watchdog import Watchdog
 from rapidsim.controller.journal.journal import Journal
 from rapidsim.controller.journal.stop_reasons import WallLimitReached
 from rapidsim.diagnostics import Source
+from rapidsim.files import InputError
 from rapidsim.motion import numba_jit
 from rapidsim.motion.numba_jit import COMPILING
 from rapidsim.motion.robot.robot import load_robot
@@ -157,22 +159,38 @@ def test_other_work_of_the_computer_does_not_shorten_a_run() -> None:
 
 def test_numba_is_not_interrupted_while_it_compiles() -> None:
     watchdog = Watchdog(0.02, lambda: 0)
-    begun_s = monotonic()
-    with COMPILING:
-        # Longer than the watchdog's patience, without a look: it would interrupt anything else.
-        while monotonic() < begun_s + 1.3:
-            pass
-
-    def go_on() -> None:
+    begun_s, has_compiled = monotonic(), False
+    with pytest.raises(WallLimitReached):  # noqa: PT012
         try:
+            with COMPILING:
+                # Longer than the watchdog's patience, without a look.
+                while monotonic() < begun_s + 1.3:
+                    pass
+                has_compiled = True
+            # Anything else is interrupted, wherever it is.
             while monotonic() < begun_s + 5.0:
                 pass
         finally:
             # At once: a second later the watchdog would interrupt pytest.
-            watchdog.rest()
+            watchdog.is_needed = False
+    assert has_compiled
 
-    with pytest.raises(WallLimitReached):
-        go_on()
+
+def test_a_run_that_cannot_begin_leaves_no_watchdog(monkeypatch: pytest.MonkeyPatch) -> None:
+    """It interrupted what the process did a minute later, again and again."""
+
+    def fail(*_: object) -> None:
+        raise InputError("there is no such arm")
+
+    monkeypatch.setattr("rapidsim.simulation.simulate.prepare", fail)
+    program = check((parse(Source("m.mod", TEXT.format(body=LOOPS["busy"]))).file,)).program
+    assert program is not None
+    with pytest.raises(InputError):
+        simulate(program, load_robot("irb1600"), options=RunOptions(max_wall_s=60.0))
+    watchdogs = [one for one in threads() if "max-wall" in one.name]
+    for one in watchdogs:
+        one.join(10.0)
+    assert not any(one.is_alive() for one in watchdogs)
 
 
 def test_a_function_compiles_under_the_lock(monkeypatch: pytest.MonkeyPatch) -> None:

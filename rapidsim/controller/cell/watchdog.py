@@ -87,6 +87,9 @@ class Watchdog:
         """The thread doing work that may be interrupted."""
         self._is_unresponsive = False
         """Whether the run was interrupted because nothing in it checked the flag."""
+        self.is_needed = True
+        """Set to False as soon as the run is over: in a call of `rest` an interrupt might arrive,
+        and another one each second from then on."""
         if limit_s is not None or work_s is not None:
             Thread(target=self._watch, name="rapidsim --max-wall", daemon=True).start()
 
@@ -178,7 +181,7 @@ class Watchdog:
             runs_s = min(self.left_s, work_left_s) - writing_s
             if runs_s <= 0.0:
                 break
-            if self._rests.wait(min(runs_s, _LOOKS_S)):
+            if self._rests.wait(min(runs_s, _LOOKS_S)) or not self.is_needed:
                 return
         self._end()
 
@@ -193,7 +196,7 @@ class Watchdog:
             for task in self._tasks:
                 task.ticks_left = NO_TICKS
             with COMPILING, self._lock:
-                if self._rests.is_set():
+                if self._rests.is_set() or not self.is_needed:
                     return
                 if monotonic() > interrupt_s:
                     self._is_unresponsive = True

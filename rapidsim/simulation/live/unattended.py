@@ -55,10 +55,10 @@ def run_unattended(
         InputError: If the speed limits of an arm's axes are unknown, or no task moves an arm.
     """
     live = LiveController(setups, options, keeps_all=True, has_clients=False)
-    if watch is not None:
-        watch(RunInProgress(live.cell, lambda: [task.run for task in live.tasks.values()]))
     cycles, last_s = options.max_cycles, options.max_time_s
     try:
+        if watch is not None:
+            watch(RunInProgress(live.cell, lambda: [task.run for task in live.tasks.values()]))
         live.start(Cycle.ONCE)
         while live.now_s < last_s and not math.isinf(live.next_due_s):
             live.step(last_s)
@@ -73,6 +73,7 @@ def run_unattended(
         _end_waits(live)
         end = _end(live, options)
     finally:
+        live.cell.watchdog.is_needed = False
         live.switch_off()
         live.cell.watchdog.rest()
     finished = live.finished()
