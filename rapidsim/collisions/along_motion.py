@@ -8,7 +8,8 @@ undecided after the shortest step counts as no contact.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+import math
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 from itertools import pairwise
 
@@ -46,8 +47,17 @@ _MOST_DEPTHS = 500
 """Number of contacts, from the first of the run, whose depth is measured."""
 
 
+def _always() -> bool:
+    return True
+
+
 def search(
-    scene: Scene, end_s: float, bodies: Bodies | None = None, *, has_depths: bool = True
+    scene: Scene,
+    end_s: float,
+    bodies: Bodies | None = None,
+    *,
+    has_depths: bool = True,
+    may_go_on: Callable[[], bool] = _always,
 ) -> CollisionReport:
     """Check the whole motion.
 
@@ -56,14 +66,20 @@ def search(
         end_s: End of the run [s].
         bodies: Bodies of the scene, to share them between several motions; None to build them.
         has_depths: Whether to measure the depths of contacts.
+        may_go_on: Called before each block; returns whether to search it and those after it.
     """
     if not scene.pairs:
         return CollisionReport((), ())
     found = _Search(scene, bodies or scene.shapes())
+    until_s = math.inf
     for times in _sample_times(scene, end_s):
+        if not may_go_on():
+            until_s = float(times[0])
+            break
         found.check_block(times)
-    found.check_enclosed()
-    return found.result(_MOST_DEPTHS if has_depths else 0)
+    if until_s:
+        found.check_enclosed()
+    return replace(found.result(_MOST_DEPTHS if has_depths else 0), until_s=until_s)
 
 
 def _sample_times(scene: Scene, end_s: float) -> list[Array]:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 from rapidsim.frames.transform import Array
 from rapidsim.values import value_class
 
@@ -62,3 +64,5 @@ class CollisionReport:
     """Clearances in order of moves, one per move with bodies nearer than `FARTHEST_M`."""
     decided: bool = True
     """Whether the search was completed; it may not be if a motion slides along a body for long."""
+    until_s: float = math.inf
+    """Time [s] up to which the motion was searched, if a limit ended the search."""

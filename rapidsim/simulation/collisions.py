@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
@@ -10,13 +11,15 @@ from rapidsim.collisions.contact import CollisionReport, Contact
 from rapidsim.collisions.geometry import CellGeometry
 from rapidsim.collisions.outer_hull import HullStore
 from rapidsim.controller.cell.conveyor_scripts import ConveyorScript
+from rapidsim.controller.cell.watchdog import Watchdog
 from rapidsim.controller.moves.executed_move import ExecutedMove
 from rapidsim.diagnostics import Diagnostic, Related
 from rapidsim.findings.collisions import Collision, LowClearance, NotJudged
+from rapidsim.findings.runs import CutOff
 from rapidsim.simulation.cell_scene import cell_scene
 from rapidsim.simulation.results.collisions import Collisions
 from rapidsim.simulation.results.part_statements import place_of
-from rapidsim.simulation.results.simulation import RobotRun, Simulation
+from rapidsim.simulation.results.simulation import End, RobotRun, Simulation
 
 _MM = 1e3
 
@@ -25,16 +28,30 @@ def with_collisions(
     simulation: Simulation,
     geometry: CellGeometry,
     conveyors: Sequence[ConveyorScript],
-    hulls: HullStore | None = None,
+    hulls: HullStore | None,
+    watchdog: Watchdog,
 ) -> Simulation:
-    """Return a run with the contacts and clearances of its bodies."""
+    """Return a run with the contacts and clearances of its bodies.
+
+    The search ends at the limit of the run on the computer's clock, and so does the run then.
+    """
     made = cell_scene(simulation, geometry, conveyors, hulls)
-    end_s, has_depths = simulation.motion_end_s, geometry.has_depths
-    found = search(made.scene, end_s, made.bodies, has_depths=has_depths)
+    found = search(
+        made.scene,
+        simulation.motion_end_s,
+        made.bodies,
+        has_depths=geometry.has_depths,
+        may_go_on=lambda: watchdog.left_s > 0.0,
+    )
+    remarks = (*made.remarks, *_unsearched(found))
     collisions = Collisions(
-        geometry, found, made.scene, made.remarks, made.objects, made.parts, made.events
+        geometry, found, made.scene, remarks, made.objects, made.parts, made.events
     )
     findings = tuple(_findings(simulation, collisions))
+    if found.until_s < math.inf and simulation.end is not End.ERROR:
+        cut_off = Diagnostic(CutOff(f"the search for collisions {watchdog.cut_off}"), None)
+        simulation = replace(simulation, end=End.TIME_LIMIT)
+        findings = (*findings, cut_off)
     return replace(
         simulation,
         collisions=collisions,
@@ -61,11 +78,15 @@ def _findings(simulation: Simulation, collisions: Collisions) -> Iterator[Diagno
             span, routine = (None, None) if place is None else (place.span, place.routine)
             yield Diagnostic(fault, span, routine=routine)
     yield from _near(simulation, found, collisions.geometry.clearance_m)
-    remarks = collisions.remarks
+    if collisions.remarks:
+        yield Diagnostic(NotJudged("; ".join(collisions.remarks)), None)
+
+
+def _unsearched(found: CollisionReport) -> Iterator[str]:
     if not found.decided:
-        remarks = (*remarks, "some intervals in which bodies slide along each other")
-    if remarks:
-        yield Diagnostic(NotJudged("; ".join(remarks)), None)
+        yield "some intervals in which bodies slide along each other"
+    if found.until_s < math.inf:
+        yield f"all motion from {found.until_s:.3f} s on"
 
 
 def _pair_of(contact: Contact) -> tuple[str, str]:

@@ -74,7 +74,8 @@ def build_result(
         from rapidsim.simulation.collisions import with_collisions  # noqa: PLC0415
 
         conveyors, hulls = options.io.conveyors, options.hulls
-        simulation = with_collisions(simulation, options.geometry, conveyors, hulls)
+        watchdog = cell.watchdog
+        simulation = with_collisions(simulation, options.geometry, conveyors, hulls, watchdog)
     return FinishedRun(
         simulation,
         {

@@ -48,6 +48,7 @@ class ScenePairs:
         """Yield each pair to check once, or once for each robot that moves it."""
         links = self._cell.links
         of_links = {key: body for body, key in links.items()}
+        still = [all(map(self._is_still, self._frames(a))) for a in range(len(self._cell.bodies))]
         own: set[tuple[int, int]] = set()
         if self._geometry.own_links:
             for number, one in enumerate(self._cell.runs):
@@ -58,7 +59,8 @@ class ScenePairs:
                 if (a, b) in own and not self._is_ignored(a, b):
                     yield Pair(a, b, links[a][0], touch_only=True)
                 continue
-            if not self._is_ignored(a, b):
+            # Bodies at rest never meet.
+            if not self._is_ignored(a, b) and not (still[a] and still[b]):
                 yield from self._pairs_of(a, b)
 
     def _pairs_of(self, a: int, b: int) -> Iterator[Pair]:
@@ -138,6 +140,8 @@ class ScenePairs:
         return frame.robot, frame.link
 
     def _is_ignored(self, a: int, b: int) -> bool:
+        if not self._geometry.ignored:
+            return False
         names_a, names_b = self._names(a), self._names(b)
         found = False
         for one in self._geometry.ignored:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
 
 import jsonschema
@@ -12,8 +13,10 @@ from command_line import call
 
 import rapidsim
 from rapidsim.api.schemas import json_schema
+from rapidsim.collisions import along_motion
 from rapidsim.collisions.geometry import CellGeometry
 from rapidsim.colours import DARK
+from rapidsim.controller.cell.watchdog import Watchdog
 from rapidsim.plots import write
 from rapidsim.simulation.dry_run import dry_run
 from rapidsim.simulation.options import RunOptions
@@ -84,6 +87,31 @@ def test_a_report_lists_contacts_and_the_nearest_of_each_move(
     cell(tmp_path, DOWN.format(-150), "")
     assert call("run", "cell.mod", "--no-record", "--report", "run.html", cwd=tmp_path).code == 0
     assert 'id="collisions"' not in (tmp_path / "run.html").read_text(encoding="utf-8")
+
+
+def test_the_search_ends_at_the_limit_on_the_clock(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """It took minutes beyond `--max-wall` for slow moves among hundreds of bodies."""
+    cell(tmp_path, DOWN.format(-150), TABLE)
+    # The limit has passed when the first of the two moves has been searched.
+    left = [10.0]
+    monkeypatch.setattr(along_motion, "_BLOCK", 10)
+    monkeypatch.setattr(Watchdog, "left_s", property(lambda _: left.pop() if left else 0.0))
+    found = report(tmp_path, 3)
+    assert found["end"] == "time_limit"
+    (unsearched,) = found["not_judged"]
+    assert re.fullmatch(r"all motion from 0\.\d+ s on", unsearched)
+    said = {one["code"]: one["message"] for one in found["diagnostics"]}
+    assert said == {
+        "C103": f"not checked for collisions: {unsearched}",
+        "R109": "the search for collisions was cut off after 0 s on the computer's clock",
+    }
+    left = [10.0]
+    ended = call("run", "cell.mod", "--no-record", cwd=tmp_path)
+    assert ended.code == 3
+    assert f"not checked: {unsearched}" in " ".join(ended.out.split())
+    assert re.search(r"up to 0\.\d+ s: none; closest \d+", " ".join(ended.out.split()))
 
 
 def test_a_check_finds_what_a_run_hits(tmp_path: Path) -> None:

@@ -70,7 +70,9 @@ class Watchdog:
                 the computer does, without that to load programs; None for no limit.
         """
         self._noted = noted
-        self._reason = f"the run was cut off after {limit_s or 0.0:g} s on the computer's clock"
+        self.cut_off = f"was cut off after {limit_s or 0.0:g} s on the computer's clock"
+        """What may be said of the run at its limit on the clock, or of work after it."""
+        self._reason = f"the run {self.cut_off}"
         self._limit_s = math.inf if limit_s is None else limit_s
         self._ends_s = monotonic() + self._limit_s
         self._work_s = math.inf if work_s is None else work_s

@@ -5,6 +5,7 @@ Built of rich tables without boxes, so that it reads in 80 columns and in a log 
 
 from __future__ import annotations
 
+import math
 from collections import Counter
 from collections.abc import Mapping, Sequence
 from pathlib import Path
@@ -219,6 +220,8 @@ def _singularity(singularity: SingularityMargin, *, several: bool) -> Text:
 
 def _collisions(simulation: Simulation, collisions: Collisions) -> Text:
     """The first contact, or how near bodies came, and what the shapes are worth."""
+    until_s = collisions.report.until_s
+    searched = f"up to {until_s:.3f} s: " if until_s < math.inf else ""
     if crashes := crash_records(simulation):
         first = crashes[0]
         times = "once" if len(crashes) == 1 else f"{len(crashes)} times, first"
@@ -229,12 +232,12 @@ def _collisions(simulation: Simulation, collisions: Collisions) -> Text:
     elif near := next(iter(clearance_records(simulation)), None):
         where = "" if near.file is None else f" at {Path(near.file).name}:{near.line}"
         low = near.distance_mm < collisions.geometry.clearance_m * 1000.0
+        pair = f"{near.first} and {near.second}{where}"
         text = Text(
-            f"none; closest {near.distance_mm:.1f} mm, {near.first} and {near.second}{where}",
-            "yellow" if low else "",
+            f"{searched}none; closest {near.distance_mm:.1f} mm, {pair}", "yellow" if low else ""
         )
     else:
-        text = Text(f"none; nothing came within {FARTHEST_M * 1000.0:g} mm")
+        text = Text(f"{searched}none; nothing came within {FARTHEST_M * 1000.0:g} mm")
     for what in shape_margins(simulation, collisions):
         text.append(f"\n{what}", "dim")
     for what in collisions.remarks:
