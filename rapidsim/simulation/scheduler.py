@@ -16,6 +16,8 @@ from typing import Protocol
 
 from greenlet import greenlet
 
+from rapidsim.simulation.task_greenlets import task_greenlet
+
 
 class ScheduledTask(Protocol):
     """Clock of a task, as a scheduler sees it."""
@@ -63,7 +65,7 @@ class Scheduler:
             body: Runs the task; must not raise.
             counts: Whether the run lasts until this task has ended.
         """
-        entry = _Entry(len(self._entries), task, greenlet(body), counts)
+        entry = _Entry(len(self._entries), task, task_greenlet(body), counts)
         self._entries.append(entry)
         self._by_task[task] = entry
 

@@ -240,16 +240,7 @@ def _read(
     words: tuple[str, ...],
     are_plain: Callable[[Numbers], Mask] | None,
 ) -> _BulkBlock | None:
-    """Read the columns of a matched part of a run.
-
-    Args:
-        text: The text.
-        begin: Offset of the first line.
-        end: Offset behind the last.
-        words: The parts of a line that do not vary.
-        are_plain: Returns which targets (k,) of numbers (k, 17), as written, are of no interest by
-            themselves; None for moves by name.
-    """
+    """Read the columns of a matched part of a run; moves by name have no numbers to judge."""
     head, *becomes, rest = words
     lines, numbers, plain = [], [], []
     names: list[str] = []

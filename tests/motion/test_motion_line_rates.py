@@ -22,7 +22,7 @@ from motion_programs import (
 from plain_segments import plain_segment
 
 from rapidsim.frames.rotation_vectors import rotation_from_vector
-from rapidsim.frames.transform import Transform
+from rapidsim.frames.transform import Array, Transform
 from rapidsim.motion import numba_jit
 from rapidsim.motion.geometry import blend_shape
 from rapidsim.motion.geometry.segments import Geometry, Waypoint
@@ -141,7 +141,8 @@ def test_speeds_are_held_alike(monkeypatch: pytest.MonkeyPatch) -> None:
     random = np.random.default_rng(1)
     for number in range(150):
         count = int(random.integers(1, 80))
-        places = np.cumsum(random.choice([0.0, 0.01, 0.05, 0.5], count, p=[0.2, 0.4, 0.3, 0.1]))
+        steps = np.array([0.0, 0.01, 0.05, 0.5])
+        places: Array = np.cumsum(random.choice(steps, count, p=[0.2, 0.4, 0.3, 0.1]))
         speeds = random.uniform(0.1, 2.0, count)
         if number % 2:
             # Even enough for lines.

@@ -15,6 +15,7 @@ import numpy as np
 from rapidsim.controller.queue.mechanical_unit import MechanicalUnit
 from rapidsim.frames.transform import Array, Transform
 from rapidsim.language.path_events import AxisRange, Cuboid, Cylinder, Sphere, ZoneShape
+from rapidsim.motion.kinematics.arm import Mask
 from rapidsim.motion.trajectory.samples import Samples
 from rapidsim.motion.trajectory.trajectory import Trajectory
 from rapidsim.repeated_rows import divided
@@ -190,9 +191,9 @@ def _divided(times: Array, counts: Array) -> Array:
     return divided(times, np.maximum(counts, 1).astype(np.int64))
 
 
-def _holds(volume: Cuboid | Cylinder | Sphere, points: Array) -> Array:
+def _holds(volume: Cuboid | Cylinder | Sphere, points: Array) -> Mask:
     """Whether points (k, 3) [mm] of the world are in a volume, shape (k,)."""
-    within: Array
+    within: Mask
     match volume:
         case Cuboid(low=low, high=high):
             least, most = np.minimum(low, high), np.maximum(low, high)
@@ -207,11 +208,11 @@ def _holds(volume: Cuboid | Cylinder | Sphere, points: Array) -> Array:
     return within
 
 
-def _axes_within(volume: AxisRange, joints_deg: Array) -> Array:
+def _axes_within(volume: AxisRange, joints_deg: Array) -> Mask:
     """Whether joints (k, n) [deg] are between two joint targets, shape (k,)."""
     count = joints_deg.shape[1]
     low, high = np.array(volume.low.robax)[:count], np.array(volume.high.robax)[:count]
-    within: Array = np.all(
+    within: Mask = np.all(
         (joints_deg[:, : len(low)] >= low) & (joints_deg[:, : len(low)] <= high), axis=1
     )
     return within

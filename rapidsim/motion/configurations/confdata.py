@@ -220,7 +220,7 @@ def distinct(joints: Array, turns: Array) -> list[Array]:
     difference = joints[:, None] - joints
     difference -= nearest_turns(difference, turns)
     alike = np.max(np.abs(difference), axis=-1, initial=0.0) < SAME
-    first = np.argmax(alike, axis=-1) if len(joints) else []
+    first: list[int] = np.argmax(alike, axis=-1).tolist() if len(joints) else []
     return [row for index, row in enumerate(joints) if first[index] == index]
 
 

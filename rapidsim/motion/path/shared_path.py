@@ -295,13 +295,12 @@ def joined(paths: Sequence[Path], progress: SharedProgress) -> SharedPath:
     row = np.clip(np.searchsorted(ends, middles, side="right") - 1, 0, len(ends) - 2)
     active, members = np.arange(len(progress.segments)), []
     refined = [one.refined(places) for one in progress.members]
-    corner = np.max(
+    corner = np.stack(
         [
             path.layout.in_corner[path.layout.piece_at(one.middles)]
             for path, one in zip(paths, refined, strict=True)
-        ],
-        axis=0,
-    )
+        ]
+    ).max(axis=0)
     for path, one in zip(paths, refined, strict=True):
         layout = _layout(path.layout, places, row, corner)
         arm = path.kinematics, layout, path.arms, active, path.nodes, path.model, None

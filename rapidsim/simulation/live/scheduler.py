@@ -18,6 +18,7 @@ from greenlet import greenlet
 
 from rapidsim.controller.cell.cell import Cell
 from rapidsim.simulation.scheduler import ScheduledTask
+from rapidsim.simulation.task_greenlets import task_greenlet
 
 LOOKS_S = 0.01
 """Period [s of virtual time] at which a program that computes or polls yields to observers."""
@@ -70,7 +71,7 @@ class LiveScheduler:
                 sys.settrace(self.trace)
             body()
 
-        self._entries[task] = _Entry(number, task, greenlet(traced), self.now_s)
+        self._entries[task] = _Entry(number, task, task_greenlet(traced), self.now_s)
 
     def remove(self, task: object) -> None:
         """Remove a task; called between steps."""

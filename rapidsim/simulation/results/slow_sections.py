@@ -15,6 +15,7 @@ import numpy.typing as npt
 
 from rapidsim.controller.moves.executed_move import ExecutedMove
 from rapidsim.frames.transform import Array
+from rapidsim.motion.kinematics.arm import Mask
 from rapidsim.motion.timing.constraints import Quantity
 from rapidsim.simulation.results.active_limits import active_limits
 from rapidsim.simulation.results.sampling import sampled
@@ -161,7 +162,7 @@ def _of_robot(simulation: Simulation, robot_run: RobotRun, offset: int) -> Itera
         )
 
 
-def _pieces(below: Array, move: npt.NDArray[np.int64]) -> Iterator[tuple[int, int]]:
+def _pieces(below: Mask, move: npt.NDArray[np.int64]) -> Iterator[tuple[int, int]]:
     """Yield begin and end of the sections below the programmed speed, separately for each move."""
     for begin, end in _runs(below):
         inner = np.flatnonzero(np.diff(move[begin:end])) + begin + 1
@@ -169,7 +170,7 @@ def _pieces(below: Array, move: npt.NDArray[np.int64]) -> Iterator[tuple[int, in
 
 
 def _joined(
-    pieces: Sequence[tuple[int, int, object]], moving: Array, times: Array
+    pieces: Sequence[tuple[int, int, object]], moving: Mask, times: Array
 ) -> list[tuple[int, int]]:
     """Join consecutive pieces with only short stops between, of one kind of limit and one speed."""
     found: list[tuple[int, int]] = []
@@ -185,11 +186,11 @@ def _joined(
     return found
 
 
-def _mode(kinds: Array) -> int:
+def _mode(kinds: npt.NDArray[np.int64]) -> int:
     return int(np.bincount(kinds).argmax())
 
 
-def _runs(mask: Array) -> Iterator[tuple[int, int]]:
+def _runs(mask: Mask) -> Iterator[tuple[int, int]]:
     """Yield begin and end of each contiguous range of True in a mask (k,)."""
     padded = np.concatenate([[False], mask, [False]])
     bounds = np.flatnonzero(padded[1:] != padded[:-1]).tolist()
