@@ -369,6 +369,7 @@ class _FrameTracer:
             if (place := self._starts.start(frame)) is not None:
                 self._debugger.at(frame, place, self._mark)
         elif event == "exception":
+            self._starts.has_failed = True
             self._debugger.failed(frame, argument[1])
         return self.trace
 

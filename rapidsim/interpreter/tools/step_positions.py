@@ -63,7 +63,7 @@ class StepPosition:
 class StatementStarts:
     """Recognises the begin of statements from the line events of one frame."""
 
-    __slots__ = ("_before", "_line", "_places", "_seen", "_start")
+    __slots__ = ("_before", "_jump", "_line", "_places", "_seen", "_start", "has_failed")
 
     def __init__(self, places: Mapping[int, Place], line: int = 0, instruction: int = 0) -> None:
         """Create it for a frame.
@@ -75,6 +75,10 @@ class StatementStarts:
         """
         self._places, self._line, self._seen = places, line, line
         self._before = self._start = instruction
+        self._jump = -1
+        """The jump back that the last event has reached from another line; -1 if none."""
+        self.has_failed = False
+        """Whether the statement has raised an error since it began."""
 
     def start(self, frame: FrameType) -> Place | None:
         """The statement that begins with a line event; None if another one continues."""
@@ -84,10 +88,20 @@ class StatementStarts:
         if place is None:
             return None
         before, self._before = self._before, instruction
+        jump, self._jump = self._jump, -1
+        loop = _loops(frame.f_code).get(instruction)
+        if loop is not None and seen == line:
+            # From Python 3.12 on, a jump back to its own line is an event, with its instruction.
+            # Behind the condition of WHILE it leads to the body, whose turn has begun.
+            begins = loop.is_whole or self.has_failed or not _is_while(place)
+            self.has_failed = False
+            return place if begins and jump != instruction else None
+        if loop is not None:
+            self._jump = instruction
         if line != self._line:
-            self._line, self._start = line, instruction
+            self._line, self._start, self.has_failed = line, instruction, False
             return place
-        if instruction < self._start and place.span.text[:5].upper() == "WHILE":
+        if instruction < self._start and _is_while(place):
             # Python evaluates the condition behind the body, from the second turn on, and then
             # jumps to the begin of the body, which has instructions of this line.
             self._start = 0
@@ -95,7 +109,9 @@ class StatementStarts:
         # A statement that runs once continues with later instructions of its line, also in the
         # search for an ERROR clause. One that is repeated begins with an earlier one, or in the
         # first turn of a loop on a single line with that to which the loop jumps.
-        is_turn = seen == line and instruction in _loop_starts(frame.f_code)
+        is_turn = seen == line and instruction in {
+            loop.target for loop in _loops(frame.f_code).values()
+        }
         return place if instruction <= before or is_turn else None
 
 
@@ -153,11 +169,30 @@ def rapid_frames(frame: FrameType | None) -> Iterator[FrameType]:
         frame = frame.f_back
 
 
+def _is_while(place: Place) -> bool:
+    return place.span.text[:5].upper() == "WHILE"
+
+
+@dataclass(frozen=True, slots=True)
+class _Loop:
+    """A jump back of Python code."""
+
+    target: int
+    """Instruction to which it jumps."""
+    is_whole: bool
+    """Whether it jumps to the first instruction of its own line."""
+
+
 @lru_cache(maxsize=128)
-def _loop_starts(code: CodeType) -> frozenset[int]:
-    """Instructions to which others jump back."""
-    jumps = (one for one in dis.get_instructions(code) if one.opcode in dis.hasjrel)
-    return frozenset(one.argval for one in jumps if one.argval <= one.offset)
+def _loops(code: CodeType) -> Mapping[int, _Loop]:
+    """Loops of a routine, by the instruction that jumps back."""
+    loops, begins = {}, dict[int | None, int]()
+    for one in dis.get_instructions(code):
+        line = None if one.positions is None else one.positions.lineno
+        begin = begins.setdefault(line, one.offset)
+        if one.opcode in dis.hasjrel and one.argval <= one.offset:
+            loops[one.offset] = _Loop(one.argval, one.argval <= begin)
+    return loops
 
 
 def _is_trap(routine: RoutineSymbol | None) -> bool:
