@@ -82,11 +82,11 @@ def _findings(simulation: Simulation, collisions: Collisions) -> Iterator[Diagno
         yield Diagnostic(NotJudged("; ".join(collisions.remarks)), None)
 
 
-def _unsearched(found: CollisionReport) -> Iterator[str]:
-    if not found.decided:
+def _unsearched(report: CollisionReport) -> Iterator[str]:
+    if not report.decided:
         yield "some intervals in which bodies slide along each other"
-    if found.until_s < math.inf:
-        yield f"all motion from {found.until_s:.3f} s on"
+    if report.until_s < math.inf:
+        yield f"all motion from {report.until_s:.3f} s on"
 
 
 def _pair_of(contact: Contact) -> tuple[str, str]:

@@ -18,12 +18,12 @@ _CALLS = 5
 
 def task_greenlet(body: Callable[[], None]) -> greenlet:
     """Return a greenlet that runs the body of a task."""
-    return greenlet(partial(_called, body, _CALLS))
+    return greenlet(partial(_enter, body, _CALLS))
 
 
-def _called(body: Callable[[], None], calls: int) -> None:
+def _enter(body: Callable[[], None], calls: int) -> None:
     if calls:
         # Not directly: `map` calls it from C.
-        list(map(_called, (body,), (calls - 1,)))
+        list(map(_enter, (body,), (calls - 1,)))
     else:
         body()

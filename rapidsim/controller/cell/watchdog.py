@@ -71,7 +71,7 @@ class Watchdog:
         """
         self._noted = noted
         self.cut_off = f"was cut off after {limit_s or 0.0:g} s on the computer's clock"
-        """What may be said of the run at its limit on the clock, or of work after it."""
+        """Predicate of messages about the run, or work after it, at the limit on the clock."""
         self._reason = f"the run {self.cut_off}"
         self._limit_s = math.inf if limit_s is None else limit_s
         self._ends_s = monotonic() + self._limit_s

@@ -9,7 +9,6 @@ import dis
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from enum import Enum, auto
-from functools import lru_cache
 from types import CodeType, FrameType
 from weakref import WeakKeyDictionary
 
@@ -183,15 +182,22 @@ class _Loop:
     """Whether it jumps to the first instruction of its own line."""
 
 
-@lru_cache(maxsize=128)
+_LOOPS: WeakKeyDictionary[CodeType, Mapping[int, _Loop]] = WeakKeyDictionary()
+"""Loops of each routine, for as long as its module is loaded."""
+
+
 def _loops(code: CodeType) -> Mapping[int, _Loop]:
     """Loops of a routine, by the instruction that jumps back."""
-    loops, begins = {}, dict[int | None, int]()
+    if (known := _LOOPS.get(code)) is not None:
+        return known
+    loops = dict[int, _Loop]()
+    begins = dict[int | None, int]()
     for one in dis.get_instructions(code):
         line = None if one.positions is None else one.positions.lineno
         begin = begins.setdefault(line, one.offset)
         if one.opcode in dis.hasjrel and one.argval <= one.offset:
             loops[one.offset] = _Loop(one.argval, one.argval <= begin)
+    _LOOPS[code] = loops
     return loops
 
 
