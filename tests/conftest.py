@@ -5,7 +5,6 @@ programs of rules.
 import gc
 import os
 from collections.abc import Generator
-from contextlib import suppress
 from itertools import count
 from pathlib import Path
 from tempfile import TemporaryDirectory
@@ -53,8 +52,7 @@ settings.load_profile(PROFILE)
 if PROFILE != "explore":
     # Hypothesis also tries constants of the modules that are loaded: with them the cases of a law
     # would depend on which tests have run before.
-    with suppress(AttributeError):
-        providers._get_local_constants = lambda: providers._local_constants
+    providers._get_local_constants = lambda: providers._local_constants
 
 COMPILED = "RAPIDSIM_TESTS_COMPILED"
 """The variable that tells the processes of the suite where compiled modules go."""
