@@ -174,7 +174,7 @@ class Debugger:
         """Follow routines that run already, in tasks that are suspended."""
         for frame in frames:
             places, line = self._positions.places(frame), self._positions.line(frame)
-            starts = StatementStarts(places, line, frame.f_lasti)
+            starts = StatementStarts(places, frame.f_code, line, frame.f_lasti)
             frame.f_trace = self._tracer(frame, starts).trace
 
     def pause(self) -> None:
@@ -232,7 +232,8 @@ class Debugger:
             return None
         if GENERATED not in frame.f_globals or not is_rapid(frame):
             return None
-        return self._tracer(frame, StatementStarts(self._positions.places(frame))).trace
+        starts = StatementStarts(self._positions.places(frame), frame.f_code)
+        return self._tracer(frame, starts).trace
 
     def _tracer(self, frame: FrameType, starts: StatementStarts) -> _FrameTracer:
         position = self._positions.traced(frame)

@@ -6,7 +6,7 @@ Routines run as Python code with the lines of RAPID. Statements that share a lin
 from __future__ import annotations
 
 import dis
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Set
 from dataclasses import dataclass, field
 from enum import Enum, auto
 from types import CodeType, FrameType
@@ -62,17 +62,21 @@ class StepPosition:
 class StatementStarts:
     """Recognises the begin of statements from the line events of one frame."""
 
-    __slots__ = ("_before", "_jump", "_line", "_places", "_seen", "_start", "has_failed")
+    __slots__ = ("_before", "_jump", "_line", "_loops", "_places", "_seen", "_start", "has_failed")
 
-    def __init__(self, places: Mapping[int, Place], line: int = 0, instruction: int = 0) -> None:
+    def __init__(
+        self, places: Mapping[int, Place], code: CodeType, line: int = 0, instruction: int = 0
+    ) -> None:
         """Create it for a frame.
 
         Args:
             places: The first statement on each line.
+            code: Python code of the frame.
             line: Line of the statement that the frame executes; 0 before the first one.
             instruction: Python instruction of the frame.
         """
         self._places, self._line, self._seen = places, line, line
+        self._loops = _loops(code)
         self._before = self._start = instruction
         self._jump = -1
         """The jump back that the last event has reached from another line; -1 if none."""
@@ -88,14 +92,14 @@ class StatementStarts:
             return None
         before, self._before = self._before, instruction
         jump, self._jump = self._jump, -1
-        loop = _loops(frame.f_code).get(instruction)
-        if loop is not None and seen == line:
+        is_whole = self._loops.jumps.get(instruction)
+        if is_whole is not None and seen == line:
             # From Python 3.12 on, a jump back to its own line is an event, with its instruction.
             # Behind the condition of WHILE it leads to the body, whose turn has begun.
-            begins = loop.is_whole or self.has_failed or not _is_while(place)
+            begins = is_whole or self.has_failed or not _is_while(place)
             self.has_failed = False
             return place if begins and jump != instruction else None
-        if loop is not None:
+        if is_whole is not None:
             self._jump = instruction
         if line != self._line:
             self._line, self._start, self.has_failed = line, instruction, False
@@ -108,9 +112,7 @@ class StatementStarts:
         # A statement that runs once continues with later instructions of its line, also in the
         # search for an ERROR clause. One that is repeated begins with an earlier one, or in the
         # first turn of a loop on a single line with that to which the loop jumps.
-        is_turn = seen == line and instruction in {
-            loop.target for loop in _loops(frame.f_code).values()
-        }
+        is_turn = seen == line and instruction in self._loops.targets
         return place if instruction <= before or is_turn else None
 
 
@@ -173,31 +175,31 @@ def _is_while(place: Place) -> bool:
 
 
 @dataclass(frozen=True, slots=True)
-class _Loop:
-    """A jump back of Python code."""
+class _Loops:
+    """Loops of the Python code of a routine."""
 
-    target: int
-    """Instruction to which it jumps."""
-    is_whole: bool
-    """Whether it jumps to the first instruction of its own line."""
+    jumps: Mapping[int, bool]
+    """Instructions that jump back, each with whether to the first one of its own line."""
+    targets: Set[int]
+    """Instructions to which they jump."""
 
 
-_LOOPS: WeakKeyDictionary[CodeType, Mapping[int, _Loop]] = WeakKeyDictionary()
+_LOOPS: WeakKeyDictionary[CodeType, _Loops] = WeakKeyDictionary()
 """Loops of each routine, for as long as its module is loaded."""
 
 
-def _loops(code: CodeType) -> Mapping[int, _Loop]:
-    """Loops of a routine, by the instruction that jumps back."""
+def _loops(code: CodeType) -> _Loops:
     if (known := _LOOPS.get(code)) is not None:
         return known
-    loops = dict[int, _Loop]()
+    jumps, targets = dict[int, bool](), set[int]()
     begins = dict[int | None, int]()
     for one in dis.get_instructions(code):
         line = None if one.positions is None else one.positions.lineno
         begin = begins.setdefault(line, one.offset)
         if one.opcode in dis.hasjrel and one.argval <= one.offset:
-            loops[one.offset] = _Loop(one.argval, one.argval <= begin)
-    _LOOPS[code] = loops
+            jumps[one.offset] = one.argval <= begin
+            targets.add(one.argval)
+    loops = _LOOPS[code] = _Loops(jumps, targets)
     return loops
 
 

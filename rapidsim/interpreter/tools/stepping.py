@@ -70,7 +70,7 @@ class Stepper:
 
     def _tracer(self, frame: FrameType, line: int = 0, instruction: int = 0) -> _FrameTracer:
         """The tracer of a frame, from its current statement on."""
-        starts = StatementStarts(self._positions.places(frame), line, instruction)
+        starts = StatementStarts(self._positions.places(frame), frame.f_code, line, instruction)
         return _FrameTracer(self, starts, self._positions.traced(frame))
 
     def pass_statement(self, place: Place, now: StepPosition) -> None:
