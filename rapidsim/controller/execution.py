@@ -22,7 +22,7 @@ from rapidsim.controller.interrupt_table import InterruptTable
 from rapidsim.controller.moves.queued_move import MotionError
 from rapidsim.controller.queue.mechanical_unit import MechanicalUnit
 from rapidsim.controller.stop_processes import StopProcess, StopProcesses
-from rapidsim.language.errors import AllStopped, Stopped
+from rapidsim.language.errors import AllStopped, ProgramReset, Stopped
 from rapidsim.language.moves import Place
 from rapidsim.language.option_data import RestartData
 from rapidsim.language.reference import Reference
@@ -61,6 +61,8 @@ class TaskExecution:
     """Called after the program and its robot were stopped."""
     is_halted: bool = False
     """Whether the program waits to be started."""
+    is_leaving: bool = False
+    """Whether the program leaves its routines, as its pointer is set elsewhere."""
     _stop_request: _StopRequest | None = None
     _is_stopping: bool = False
     """Whether the program comes to a stop, or begins to continue."""
@@ -99,6 +101,10 @@ class TaskExecution:
         """Let the program continue at its next turn; also cancels a requested stop."""
         self.is_halted, self._stop_request = False, None
 
+    def leave(self) -> None:
+        """Let a halted program leave its routines at its next turn: their UNDO clauses run."""
+        self.is_halted, self.is_leaving = False, True
+
     def next_s(self) -> float | None:
         """Time [s] at which the program stops; see `event_source.EventSource`."""
         return None if self._stop_request is None else self._stop_request.at_s
@@ -120,6 +126,9 @@ class TaskExecution:
         self._rest(on_path=False)
 
     def _rest(self, *, on_path: bool, is_quick: bool = False) -> None:
+        if self.is_leaving:
+            # Nothing stops an UNDO clause then.
+            return
         since_s = self.clock.pointer_s()
         stopped = on_path and not self.unit.queue.is_halted
         stood_s = since_s
@@ -138,6 +147,8 @@ class TaskExecution:
         while self.is_halted:
             now_s = self.cell.scheduler.request_advance(self.clock, math.inf)
         self.clock.set(max(since_s, now_s))
+        if self.is_leaving:
+            raise ProgramReset("the program pointer is set elsewhere")
         self.table.discard_while_stopped(waited, since_s, now_s)
         with self._handling():
             self.restarted()

@@ -49,8 +49,14 @@ class AllStopped(Stopped):
     """Stop of all normal tasks, as the program of one requests."""
 
 
-class RunLimitReached(Stopped):
-    """A limit of the run is reached: no further clause of the program runs, not even UNDO."""
+class ProgramReset(Stopped):
+    """The program pointer leaves all active routines: by EXIT, or as an operator sets it.
+
+    This alone runs their UNDO clauses. A program that stops at a statement, for an error or for a
+    wait that never ends, is still in its routines.
+
+    Source: Technical reference manual RAPID Overview, "UNDO".
+    """
 
 
 class NotAllowed(Stopped):
@@ -73,5 +79,5 @@ class NotConnected(Stopped):
     """A move needs the place of an object on a conveyor, and none is connected."""
 
 
-class CycleEnded(Stopped):
+class CycleEnded(ProgramReset):
     """ExitCycle: the cycle ends here and the next one begins with main."""

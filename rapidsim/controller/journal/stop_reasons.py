@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from rapidsim.diagnostics import Violation
-from rapidsim.language.errors import RunLimitReached, Stopped
+from rapidsim.language.errors import Stopped
 
 
-class TimeLimitReached(RunLimitReached):
+class TimeLimitReached(Stopped):
     """Virtual time reached `--max-time`."""
 
 

@@ -27,7 +27,7 @@ COMPUTING = frozenset(
     {
         *("_checked_integer", "_count", "_double_integer", "_int", "_len", "_literal_quotient"),
         *("_magnitude", "_new", "_out_of_bounds", "_overflow", "_quotient", "_raised", "_range"),
-        *("_remainder", "_root", "_single_integer", "_steps", "_Stopped", "_too_long"),
+        *("_remainder", "_root", "_single_integer", "_steps", "_ProgramReset", "_too_long"),
         *("_whole_quotient", "_whole_remainder", "_Box", "_Element", "_Component", "_not_present"),
     }
 )

@@ -141,7 +141,7 @@ class Statements:
             case tree.Raise(number=number):
                 return self._raise(number, at)
             case tree.Exit():
-                return [at.throw(at.call("_Stopped", [at.constant("EXIT")]))]
+                return [at.throw(at.call("_ProgramReset", [at.constant("EXIT")]))]
             case tree.Retry():
                 return [at.leave(at.constant(1))]
             case tree.TryNext():

@@ -27,7 +27,7 @@ from rapidsim.interpreter.runtime.late_binding import (
 from rapidsim.interpreter.runtime.memory import is_persistent
 from rapidsim.language.controller import CONCERNS, STUB, Controller
 from rapidsim.language.error_numbers import ERR_ALRDYCNT, ERR_ARGDUPCND, ERR_EXECPHR, rapid_error
-from rapidsim.language.errors import RapidError, Stopped
+from rapidsim.language.errors import ProgramReset, RapidError
 from rapidsim.language.moves import Place
 from rapidsim.language.reference import Box, Reference
 from rapidsim.language.types import Type
@@ -60,7 +60,7 @@ FUNCTIONS: Mapping[str, object] = MappingProxyType(
         "_Element": references.Element,
         "_FellThrough": error_recovery.FellThrough,
         "_Leave": error_recovery.HandlerReturn,
-        "_Stopped": Stopped,
+        "_ProgramReset": ProgramReset,
         "_add_positions": arithmetic.add_positions,
         "_assign_array": arrays.assign_array,
         "_at_most_one": at_most_one,

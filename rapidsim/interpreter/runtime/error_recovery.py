@@ -32,7 +32,13 @@ from rapidsim.language.error_numbers import (
     NUMBERS,
     rapid_error,
 )
-from rapidsim.language.errors import RaisedError, RaisedToUser, RapidError, RunLimitReached, Stopped
+from rapidsim.language.errors import (
+    ProgramReset,
+    RaisedError,
+    RaisedToUser,
+    RapidError,
+    Stopped,
+)
 from rapidsim.values import value_class
 
 ERRORS: Final = (RapidError, ZeroDivisionError)
@@ -167,10 +173,12 @@ class Recovery:
         return tries + 1
 
     def undo(self, clause: Callable[[], object]) -> None:
-        """Run the UNDO clause of a routine; errors in it are not handled."""
+        """Run the UNDO clause of a routine; after an error or EXIT in it, no other one runs."""
         around, self.numbers.handler = self.numbers.handler, IN_UNDO
         try:
             clause()
+        except ProgramReset as again:
+            raise Stopped(again.reason).with_traceback(again.__traceback__) from None
         except ERRORS as inside:
             raise Unrecoverable(as_rapid_error(inside)) from inside
         finally:
@@ -256,7 +264,7 @@ def unwinds(exception: BaseException) -> bool:
     """Whether an exception leaves a routine such that its UNDO clause runs."""
     if isinstance(exception, LongJump):
         return exception.target is not sys._getframe(1)
-    return isinstance(exception, Stopped) and not isinstance(exception, RunLimitReached)
+    return isinstance(exception, ProgramReset)
 
 
 def as_rapid_error(error: Exception) -> RapidError:

@@ -152,7 +152,7 @@ class LiveController:
                 self,
             )
         for task in self.tasks.values():
-            task.begin(0.0, self.panel.refresh_percent)
+            task.begin(self.panel.refresh_percent)
         self._link_tasks()
         self._show_states()
         # A log is never empty: public clients remember the number of its newest entry.
@@ -317,7 +317,7 @@ class LiveController:
             for task in self.tasks.values():
                 task.shared, task.task = shared, None
         for task in tasks:
-            task.begin(self.now_s, self.panel.refresh_percent)
+            task.begin(self.panel.refresh_percent)
         self._link_tasks()
         self._show_states()
 
@@ -350,7 +350,7 @@ class LiveController:
             raise RequestRefused(
                 RefusalReason.STATE, f"{found.name} is neither started nor stopped"
             )
-        found.put_pointer(module, routine, self.now_s, self.panel.refresh_percent)
+        found.put_pointer(module, routine, self.panel.refresh_percent)
         self._link_tasks()
         self._show_states()
 

@@ -19,7 +19,7 @@ from rapidsim.interpreter.linking.loader import FatalError, Task, load, running
 from rapidsim.interpreter.runtime.shared_persistents import SharedPersistents
 from rapidsim.interpreter.tools.step_positions import StepGranularity
 from rapidsim.interpreter.tools.stepping import Stepper
-from rapidsim.language.errors import CycleEnded, Stopped
+from rapidsim.language.errors import CycleEnded, ProgramReset, Stopped
 from rapidsim.language.moves import Place
 from rapidsim.simulation.live.jog_motion import JogMotion
 from rapidsim.simulation.live.scheduler import LiveScheduler
@@ -62,6 +62,8 @@ _REACH = {
     ExecutionMode.STEP_OUT: StepGranularity.CALLER,
     ExecutionMode.STEP_MOTION: StepGranularity.SAME_ROUTINE,
 }
+_MOST_UNDO_S = 10.0
+"""Time [s] that UNDO clauses may take when the program pointer is set elsewhere."""
 
 
 @dataclass(eq=False)
@@ -166,20 +168,19 @@ class LiveTask:
             self.setup.robot is not None,
         )
 
-    def begin(self, now_s: float, refresh_percent: float) -> None:
-        """Set the pointer to main at a time [s]: variables are initialised, persistents kept.
+    def begin(self, refresh_percent: float) -> None:
+        """Set the pointer to main: variables are initialised, persistents kept.
 
         Args:
-            now_s: Current virtual time [s].
             refresh_percent: The operator's speed ratio.
         """
-        self.end(now_s)
+        self._end()
         self._routine = ""
         before = len(self.cell.listeners)
         self.run = new_task_run(self.setup, self.unit, self.cell, self.journal, self.options)
         self._own_listeners = tuple(self.cell.listeners[before:])
         controller = self.run.controller
-        controller.clock.set(now_s)
+        controller.clock.set(self.scheduler.now_s)
         controller.execution.stops = partial(self.supervisor.stop_by, self)
         controller.execution.resumed = self._continue_execution
         controller.execution.halted = self._after_stop
@@ -195,13 +196,12 @@ class LiveTask:
                 self.task.keep(old)
         self.has_pointer = self._procedure(self.entry) is not None
 
-    def put_pointer(self, module: str, routine: str, now_s: float, refresh_percent: float) -> None:
+    def put_pointer(self, module: str, routine: str, refresh_percent: float) -> None:
         """Set the pointer to a procedure; variables are initialised, as for main.
 
         Args:
             module: Module that declares it; empty for any.
             routine: Its name, in any case.
-            now_s: Current virtual time [s].
             refresh_percent: The operator's speed ratio.
 
         Raises:
@@ -210,17 +210,19 @@ class LiveTask:
         symbol = self._procedure(routine)
         if symbol is None or module.lower() not in ("", symbol.module.name.key):
             raise RequestRefused(RefusalReason.NO_SYMBOL, self._nothing_to_begin_with(routine))
-        self.begin(now_s, refresh_percent)
+        self.begin(refresh_percent)
         self._routine, self.has_pointer = symbol.name, True
         place = Place(symbol.module.span(symbol.node.name), symbol.name)
         self.run.controller.clock.place = place
 
-    def end(self, now_s: float) -> None:
+    def _end(self) -> None:
         """Unload the program; its robot discards the rest of its path."""
         self._has_started = self.has_pointer = self.has_ended = False
         if not hasattr(self, "run"):
             return
         clock = self.run.controller.clock
+        self._leave_routines()
+        now_s = self.scheduler.now_s
         self.scheduler.remove(clock)
         self.run.controller.files.close_all()
         self.run.controller.sockets.close_all(now_s)
@@ -237,6 +239,16 @@ class LiveTask:
         self.unit.drop_paths()
         self.unit.clear()
         self.unit.resume(now_s)
+
+    def _leave_routines(self) -> None:
+        """Run the UNDO clauses of the routines in which the program is halted."""
+        execution, clock = self.run.controller.execution, self.run.controller.clock
+        if not execution.is_halted or not self.is_normal:
+            return
+        execution.leave()
+        if not self.scheduler.finish(clock, self.scheduler.now_s + _MOST_UNDO_S):
+            message = f"its UNDO clauses take more than {_MOST_UNDO_S:g} s; the rest is left out"
+            self.supervisor.task_failed(self, (), message)
 
     def start(self, how: ExecutionMode = ExecutionMode.CONTINUE) -> None:
         """Start at main, or continue where the program stopped: for one step, or until it stops."""
@@ -307,6 +319,8 @@ class LiveTask:
 
     def _halt(self, before: Place) -> None:
         """End a step, or halt at a breakpoint: the robot finishes its moves, the program halts."""
+        if self.run.controller.execution.is_leaving:
+            return
         clock, left = self.run.controller.clock, self.run.controller.clock.ticks_left
         clock.resolve_time()
         clock.drive_to_stop()
@@ -379,6 +393,8 @@ class LiveTask:
                     self.has_ended = True
                     execution.await_restart()
         except (FatalError, MotionError, Stopped) as error:
+            if execution.is_leaving and isinstance(error, ProgramReset):
+                return
             ended = outcome_of(error, self.run)
             found = ended.findings
             if self.journal.retains_all:

@@ -79,6 +79,17 @@ class LiveScheduler:
         if entry is not None and not entry.greenlet.dead:
             entry.greenlet.throw()
 
+    def finish(self, task: object, until_s: float) -> bool:
+        """Wake a task and let time pass until it has ended, or to a time [s].
+
+        Returns:
+            Whether it has ended.
+        """
+        self.wake(task)
+        while task in self._entries and self.due_s() <= until_s:
+            self.step(until_s)
+        return task not in self._entries
+
     def wake(self, task: object) -> None:
         """Wake a task now."""
         entry = self._entries.get(task)

@@ -1,9 +1,10 @@
-! RAPID Overview, UNDO: Stop has no place in a clause that tidies up; the clauses further out still run.
+! RAPID Overview, UNDO: Stop has no place in a clause that tidies up; what is left of the clauses is
+! ignored.
 MODULE undo_stops
   PROC main()
     inner;
   UNDO
-    TPWrite "main undone";              ! -> main undone
+    TPWrite "never";
   ENDPROC
 
   PROC inner()
