@@ -78,7 +78,7 @@ def journal(out: str) -> dict[str, object]:
     """What a run did, without places and names of routines."""
     result = json.loads(out) if out.startswith("{") else {}
     if any(_OVERFLOW in one["message"] for one in result.get("diagnostics", ())):
-        # How deep Python calls varies by one: it counts calls of C, but not those it has specialised.
+        # How deep Python calls varies by one: it counts calls of C that it has not specialised.
         return {"end": result["end"], "events": ()}
     return {
         "end": result.get("end"),
