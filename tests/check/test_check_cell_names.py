@@ -231,6 +231,57 @@ def test_a_name_that_begins_like_a_signal_of_the_program_is_one(name: str, codes
     assert {one.violation.code for one in found_in(text, NO_CELL)} == codes
 
 
+OF_THE_CONTROLLER = {
+    "AUTO1": "di",
+    "ENABLE2_4": "di",
+    "MOTLMP": "do",
+    "DRV1BRAKEOK": "di",
+    "DRV2CHAIN1": "do",
+    "SC1CBCREQ": "do",
+    "LocalEmergencyStopStatus": "di",
+    "c1ObjectsInQ": "go",
+    "c3CountsPerSec": "ai",
+}
+
+
+@pytest.mark.parametrize("name", OF_THE_CONTROLLER)
+def test_a_signal_that_the_controller_makes_is_there_whatever_is_configured(
+    name: str, tmp_path: Path
+) -> None:
+    (tmp_path / "rapidsim.toml").write_text('[signals]\ndiGo = { type = "di" }\n')
+    file = tmp_path / "shown.mod"
+    file.write_text(
+        f'MODULE shown\n  PROC main()\n    IF {name}=0 TPWrite "off";\n  ENDPROC\nENDMODULE\n'
+    )
+    ended = call("check", str(file), "--output-format", "json", cwd=tmp_path)
+    (found,) = json.loads(ended.out)["diagnostics"]
+    assert (found["code"], found["severity"]) == ("I801", "warning")
+    assert f'{name} = {{ type = "{OF_THE_CONTROLLER[name]}" }}' in found["help"]
+    assert "operator  0.000 s  off" in call("run", str(file), "--no-record", cwd=tmp_path).out
+
+
+@pytest.mark.parametrize("name", ["auto1", "DRVBRAKEOK", "DRV1BRAKE2", "SC1CBC", "SCXCBCREQ"])
+def test_what_is_only_like_one_is_not_declared(name: str, tmp_path: Path) -> None:
+    file = tmp_path / "unlike.mod"
+    file.write_text(
+        f'MODULE unlike\n  PROC main()\n    IF {name}=0 TPWrite "off";\n  ENDPROC\nENDMODULE\n'
+    )
+    ended = call("check", str(file), "--output-format", "json", cwd=tmp_path)
+    assert [one["code"] for one in json.loads(ended.out)["diagnostics"]] == ["N201"]
+
+
+def test_an_instruction_decides_of_what_kind_it_is(tmp_path: Path) -> None:
+    file = tmp_path / "waits.mod"
+    file.write_text(
+        "MODULE waits\n  PROC main()\n    WaitDI SC1CBCREQ,0\\MaxTime:=1;\n    SetDO MOTLMP,1;\n"
+        "  ENDPROC\nENDMODULE\n"
+    )
+    (tmp_path / "rapidsim.toml").write_text('[signals]\ndiGo = { type = "di" }\n')
+    ended = call("check", str(file), "--output-format", "json", cwd=tmp_path)
+    found = {(one["code"], one["severity"]) for one in json.loads(ended.out)["diagnostics"]}
+    assert found == {("I801", "warning")}
+
+
 @pytest.mark.parametrize("kind", KINDS)
 def test_a_signal_that_is_given_an_alias_is_of_its_kind(kind: str, tmp_path: Path) -> None:
     file = tmp_path / "alias.mod"

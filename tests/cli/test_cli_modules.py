@@ -104,6 +104,19 @@ def test_without_main_the_procedures_that_are_there_are_named(tmp_path: Path) ->
     assert rapidsim("run", tmp_path, "--proc", "place", "--no-record", cwd=tmp_path).code == 0
 
 
+def test_of_several_tasks_the_one_without_a_main_is_named(tmp_path: Path) -> None:
+    for name, procedure in (("robot", "main"), ("plc", "other")):
+        text = f"MODULE {name}\n  PROC {procedure}()\n    WaitTime 1;\n  ENDPROC\nENDMODULE\n"
+        (tmp_path / f"{name}.mod").write_text(text)
+    (tmp_path / "rapidsim.toml").write_text(
+        '[[task]]\nname = "T_ROB1"\nmodules = ["robot.mod"]\n'
+        '[[task]]\nname = "T_PLC"\nmodules = ["plc.mod"]\n'
+    )
+    ended = rapidsim("run", tmp_path, "--no-record", cwd=tmp_path)
+    assert ended.code == 2
+    assert "the task T_PLC has no procedure `main`" in ended.err
+
+
 def test_a_main_with_parameters_cannot_be_started(tmp_path: Path) -> None:
     folder(tmp_path, A="MODULE A\n  PROC main(num n)\n  ENDPROC\nENDMODULE\n")
     ended = rapidsim("run", tmp_path, "--no-record", cwd=tmp_path)

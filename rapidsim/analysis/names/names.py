@@ -41,6 +41,7 @@ from rapidsim.language.annotations import ParameterMode
 from rapidsim.language.types import Type
 from rapidsim.library.other_languages import rapid_word_for
 from rapidsim.library.predefined import SET_BY_CONTROLLER
+from rapidsim.library.system_signals import system_signal
 from rapidsim.library.versions import SINCE
 from rapidsim.syntax import tree
 
@@ -177,6 +178,8 @@ def evident_signal(name: tree.Name, context: Context) -> Type | None:
     """Kind of signal of an undeclared name, from its use in the cell or its spelling."""
     if name.key in context.analysis.cell.wired:
         return types.SIGNAL_DI
+    if (of := system_signal(name.text)) is not None:
+        return of
     match = _SIGNAL_NAME.match(name.text) or _SIGNAL_INSIDE.search(name.text)
     return None if match is None else _SIGNAL_OF_KIND[match.group().lower()]
 

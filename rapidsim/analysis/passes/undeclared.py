@@ -10,6 +10,7 @@ from rapidsim.analysis.names.signal_violations import UnknownSignal
 from rapidsim.analysis.suggestions import closest
 from rapidsim.analysis.types.assignability import agrees, report_mismatch
 from rapidsim.language.types import BOOL, DNUM, NUM, SIGNAL_DI, Type, resolved
+from rapidsim.library.system_signals import system_signal
 from rapidsim.syntax import tree
 
 
@@ -45,6 +46,8 @@ def decide_undeclared(
             declared = (one.name for one in analysis.cell.symbols.values() if one.type == of)
             nearest = closest(name.text, declared)
             closed = analysis.cell.has_signals and not analysis.cell.assumes
+            # The controller makes it, whatever its configuration lists.
+            closed &= system_signal(name.text) is None
             violation = UnknownSignal(name.text, of.name, nearest=nearest, is_closed=closed)
             context.report(violation, name, fix=context.respelling(name, nearest))
             reported.add(key)

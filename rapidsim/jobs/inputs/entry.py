@@ -9,8 +9,13 @@ from rapidsim.syntax import tree
 _NAMED_PROCEDURES = 8
 
 
-def require_entry(program: Program, name: str) -> None:
+def require_entry(program: Program, name: str, task: str = "") -> None:
     """Check that a program has an entry procedure that can be started without arguments.
+
+    Args:
+        program: The program.
+        name: The procedure.
+        task: Its task, if it is one of several.
 
     Raises:
         InputError: If there is no such procedure, or it requires arguments.
@@ -27,6 +32,6 @@ def require_entry(program: Program, name: str) -> None:
     named = ", ".join(f"`{one}`" for one in startable[:_NAMED_PROCEDURES])
     named += ", ..." if len(startable) > _NAMED_PROCEDURES else ""
     raise InputError(
-        f"the program has no procedure `{name}`",
+        f"{f'the task {task}' if task else 'the program'} has no procedure `{name}`",
         did_you_mean(name, startable) or (f"--proc names one: {named}" if startable else None),
     )

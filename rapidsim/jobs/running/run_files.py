@@ -184,7 +184,7 @@ def prepared(loaded: LoadedJob) -> PreparedRun:
     job = loaded.job
     if not job.request.may_be_empty:
         for name, program in loaded.programs.items():
-            require_entry(program, job.entry(name))
+            require_entry(program, job.entry(name), name if len(loaded.programs) > 1 else "")
     bare = task_setups(loaded.tasks, job.station, loaded.robot, job.open_robot)
     setups = tuple(replace(setup, entry=job.entry(setup.name)) for setup in bare)
     home, ramdisk = _home(job.request.home, job.request.paths), job.request.ramdisk
