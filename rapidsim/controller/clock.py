@@ -125,6 +125,13 @@ class TaskClock:
         self.time_reads += 1
         return self.resolve_time()
 
+    def note_unknown(self) -> None:
+        """Note that nobody knows what the current statement does: it may end a loop that polls.
+
+        Such a loop goes on to the time limit, at once, and does not count as endless.
+        """
+        self._polling.note_stable_until(self._cell.max_time_s)
+
     def hold_until(self, time_s: float) -> None:
         """Note that all that the current statement reads stays unchanged until a time [s]."""
         self.discount_effect()
@@ -343,6 +350,12 @@ class TaskClock:
         known = self._time.is_known
         times = [one.next_s() for one in self.event_sources if known or not one.on_path]
         return min((time_s for time_s in times if time_s is not None), default=None)
+
+    def unchanged_until_s(self) -> float:
+        """Time [s] until which nothing but the program itself changes what it may notice."""
+        due_s = self.next_due_s()
+        others_s = self._cell.scheduler.next_s(self)
+        return min(math.inf if due_s is None else due_s, others_s, self._cell.max_time_s)
 
     def serve_due(self, until_s: float) -> float:
         """Dispatch all events due by a time; returns when the last of them ended [s]."""

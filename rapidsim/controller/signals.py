@@ -143,7 +143,14 @@ class TaskSignals:
                 endless = idle > _IDLE_LOOKS and math.isinf(deadline_s)
                 if endless and self.cell.scheduler.mark_waiting(self.clock):
                     raise WaitsForever(_vain(looked_at))
-                self.clock.pass_time(min(now_s + poll_s, deadline_s))
+                looks = 1
+                if idle:
+                    # Tasks that poll need not wait for this one: only they end its wait.
+                    self.clock.idle_until_s = deadline_s
+                if idle > _IDLE_LOOKS:
+                    still_s = min(self.clock.unchanged_until_s(), deadline_s) - now_s
+                    looks = max(1, math.floor(still_s / poll_s))
+                self.clock.pass_time(min(now_s + looks * poll_s, deadline_s))
                 now_s = self.clock.resolve_time()
             wait.ended_by = self.cell.last_change(tuple(self._seen), start_s) or SATISFIED
         return True

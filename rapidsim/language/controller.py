@@ -88,6 +88,10 @@ class ClockService(Protocol):
         """Virtual time [s] of the current statement."""
         ...
 
+    def note_unknown(self) -> None:
+        """Note that nobody knows what the current statement does: it may end a loop that polls."""
+        ...
+
     def hold_until(self, time_s: float) -> None:
         """Note that all that the current statement reads stays unchanged until a time [s].
 

@@ -69,6 +69,9 @@ class RecordingController:
     def now(self) -> float:
         return self.waited_s
 
+    def note_unknown(self) -> None:
+        """Nobody polls here."""
+
     def hold_until(self, time_s: float) -> None:
         pass
 

@@ -16,6 +16,9 @@ class Undisturbed:
     def serve_persistent_changes(self) -> None:
         """Nobody waits for a change of one."""
 
+    def note_unknown(self) -> None:
+        """Nobody polls here."""
+
     def hold_until(self, time_s: float) -> None:
         """All that is told stays so for ever."""
 

@@ -143,6 +143,41 @@ def test_a_run_that_skips_rounds_is_the_run_that_makes_them(
     assert [move.end_s for move in skipped.moves] == [move.end_s for move in made.moves]
 
 
+UNKNOWN = {
+    "skipped": "WHILE TRUE DO\nnobody;\nENDWHILE",
+    "a value": "WHILE someone()=0 DO\nENDWHILE",
+    "between settings": "WHILE TRUE DO\nn:=1;\nnobody;\nn:=2;\nENDWHILE",
+}
+
+
+@pytest.mark.parametrize("name", UNKNOWN)
+def test_a_loop_around_what_is_unknown_goes_on_to_the_time_limit_at_once(
+    name: str, tmp_path: Path
+) -> None:
+    run = ran(tmp_path, UNKNOWN[name], f"{STATION}[check]\nassume-missing = true\n")
+    assert (run.end, run.time_s) == (End.TIME_LIMIT, 3600.0)
+    (skipped,) = run.unsimulated
+    assert 1 < skipped.count < 1000
+    codes = {found.violation.code for found in run.diagnostics}
+    assert codes - {"F401"} == {"N209", "R104", "R109"}
+
+
+def test_a_loop_around_what_is_unknown_sees_what_changes(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    loop, station = (
+        "WHILE diPart=0 DO\nnobody;\nENDWHILE",
+        f"{STATION}[check]\nassume-missing = true\n",
+    )
+    skipped = ran(tmp_path, loop, station)
+    monkeypatch.setattr(BusyWaitDetector, "observe", lambda self, used, done: None)
+    monkeypatch.setattr(BusyWaitDetector, "ticks_left", lambda self, used: 1 << 60)
+    made = ran(tmp_path, loop, station)
+    assert skipped.end is made.end is End.ENDED
+    assert told(skipped) == told(made)
+    assert skipped.unsimulated[0].count < made.unsimulated[0].count
+
+
 FOLLOWS = """MoveAbsJ\\Conc,[[40,0,0,0,30,0],none],v200,z10,tool0;
 WHILE where()<0.5 DO
 {between}

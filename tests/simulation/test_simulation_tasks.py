@@ -6,6 +6,7 @@ from pathlib import Path
 import pytest
 from simulation_tasks import JOINTS, Ran, ran
 
+from rapidsim.analysis.cell_names import CellNames
 from rapidsim.files import SourceFile
 from rapidsim.jobs.checking.load_tasks import load_tasks
 from rapidsim.module_files import TaskFiles
@@ -215,6 +216,34 @@ PROC main()
   ENDFOR
 ENDPROC
 """
+
+
+@pytest.mark.parametrize("seconds", [50.0, 5000.0])
+def test_who_waits_for_a_task_that_polls_what_is_unknown_waits_to_the_time_limit(
+    seconds: float,
+) -> None:
+    it = both(
+        main("WaitUntil ready;", 'TPWrite "never";', data="PERS bool ready:=FALSE;"),
+        main("WHILE TRUE DO", "nobody;", "ENDWHILE", data="PERS bool ready:=FALSE;"),
+        cell=CellNames(assumes=True),
+        max_time_s=seconds,
+    )
+    assert (it.end, it.run.time_s, it.texts) == ("time_limit", seconds, [])
+    (skipped,) = it.run.unsimulated
+    assert skipped.count < 20_000
+
+
+@pytest.mark.parametrize("seconds", [0.35, 90.0, 250.0, 1234.5])
+def test_who_waits_for_long_sees_what_another_task_does_at_the_next_look(seconds: float) -> None:
+    data = "PERS bool ready:=FALSE;"
+    it = both(
+        main("WaitUntil ready;", 'TPWrite "on";', data=data),
+        main(f"WaitTime {seconds};", "ready:=TRUE;", "WHILE TRUE DO", "ENDWHILE", data=data),
+        max_time_s=seconds + 1.0,
+    )
+    ((at_s, text),) = it.texts
+    assert text == "on"
+    assert 0.0 <= at_s - seconds <= 0.1 + 1e-6
 
 
 def test_testandset_lets_one_task_in_at_a_time() -> None:

@@ -142,8 +142,10 @@ def task_functions(
             clock.place = before
 
     def stand_in(place: Place, name: str, replacement: str, value: object) -> object:
-        clock.place = place
+        before, clock.place = clock.place, place
         controller.fidelity.not_simulated(name, replacement, is_unknown=replacement != STUB)
+        clock.note_unknown()
+        clock.place = before
         return value
 
     def skip(place: Place, name: str) -> None:
