@@ -143,17 +143,19 @@ class TaskSignals:
                 endless = idle > _IDLE_LOOKS and math.isinf(deadline_s)
                 if endless and self.cell.scheduler.mark_waiting(self.clock):
                     raise WaitsForever(_vain(looked_at))
-                looks = 1
                 if idle:
                     # Tasks that poll need not wait for this one: only they end its wait.
                     self.clock.idle_until_s = deadline_s
-                if idle > _IDLE_LOOKS:
-                    still_s = min(self.clock.unchanged_until_s(), deadline_s) - now_s
-                    looks = max(1, math.floor(still_s / poll_s))
+                looks = self._vain_looks(now_s, deadline_s, poll_s) if idle > _IDLE_LOOKS else 1
                 self.clock.pass_time(min(now_s + looks * poll_s, deadline_s))
                 now_s = self.clock.resolve_time()
             wait.ended_by = self.cell.last_change(tuple(self._seen), start_s) or SATISFIED
         return True
+
+    def _vain_looks(self, now_s: float, deadline_s: float, poll_s: float) -> int:
+        """Number of looks before anything can have changed; at least one."""
+        still_s = min(self.clock.unchanged_until_s(), deadline_s) - now_s
+        return max(1, math.floor(still_s / poll_s)) if math.isfinite(still_s) else 1
 
     def _holds(self, condition: Callable[[], bool]) -> bool:
         """Evaluate a condition and record its reads; it may call a routine that waits itself."""
