@@ -65,6 +65,7 @@ ROOMS: Mapping[str, tuple[str, ...]] = MappingProxyType(
             "tests/simulation/test_live_steps.py",
             "tests/simulation/test_simulation_error*.py",
             "tests/simulation/test_simulation_loading.py",
+            "tests/simulation/test_simulation_runs.py",
             "tests/simulation/test_simulation_shared_types.py",
             "tests/simulation/test_simulation_tasks.py",
             # Behind a debugger nothing is counted any more.

@@ -5,8 +5,7 @@ robot starts that move", which is unknown until the path is planned; the program
 effects are dated later. Callers that need the time or the position call `resolve_time`.
 
 RAPID statements take no virtual time except waits, motion, and a small fixed cost per loop turn.
-All time passes in `pass_time`, which requests each advance from the cell's `scheduler`; a pace,
-such as the wall clock, replaces that scheduler.
+All time passes in `pass_time`: the cell's `scheduler`, or the wall clock in its place, grants it.
 """
 
 from __future__ import annotations
@@ -83,8 +82,7 @@ class TaskClock:
         self._failure: RapidError | None = None
         """The error with which a trap ends the statement it interrupts."""
         self.idle_until_s = -math.inf
-        """Until then [s] the program only polls, unless shared data changes; the scheduler then
-        resets it."""
+        """Until then [s] the program only polls; reset when shared data change."""
         self._viewed_s: float | None = None
         """The time [s] of `at_time`; None outside it."""
         cell.listeners.append(table)
@@ -126,10 +124,7 @@ class TaskClock:
         return self.resolve_time()
 
     def note_unknown(self) -> None:
-        """Note that nobody knows what the current statement does: it may end a loop that polls.
-
-        Such a loop goes on to the time limit, at once, and does not count as endless.
-        """
+        """Let a loop around the current statement, which is unknown, go on to the time limit."""
         self._polling.note_stable_until(self._cell.max_time_s)
 
     def hold_until(self, time_s: float) -> None:
@@ -350,12 +345,6 @@ class TaskClock:
         known = self._time.is_known
         times = [one.next_s() for one in self.event_sources if known or not one.on_path]
         return min((time_s for time_s in times if time_s is not None), default=None)
-
-    def unchanged_until_s(self) -> float:
-        """Time [s] until which nothing but the program itself changes what it may notice."""
-        due_s = self.next_due_s()
-        others_s = self._cell.scheduler.next_s(self)
-        return min(math.inf if due_s is None else due_s, others_s, self._cell.max_time_s)
 
     def serve_due(self, until_s: float) -> float:
         """Dispatch all events due by a time; returns when the last of them ended [s]."""

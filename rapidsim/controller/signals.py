@@ -146,15 +146,17 @@ class TaskSignals:
                 if idle:
                     # Tasks that poll need not wait for this one: only they end its wait.
                     self.clock.idle_until_s = deadline_s
-                looks = self._vain_looks(now_s, deadline_s, poll_s) if idle > _IDLE_LOOKS else 1
-                self.clock.pass_time(min(now_s + looks * poll_s, deadline_s))
+                polls = self._polls_ahead(now_s, deadline_s, poll_s) if idle > _IDLE_LOOKS else 1
+                self.clock.pass_time(min(now_s + polls * poll_s, deadline_s))
                 now_s = self.clock.resolve_time()
             wait.ended_by = self.cell.last_change(tuple(self._seen), start_s) or SATISFIED
         return True
 
-    def _vain_looks(self, now_s: float, deadline_s: float, poll_s: float) -> int:
-        """Number of looks before anything can have changed; at least one."""
-        still_s = min(self.clock.unchanged_until_s(), deadline_s) - now_s
+    def _polls_ahead(self, now_s: float, deadline_s: float, poll_s: float) -> int:
+        """Number of polls before anything can have changed; at least one."""
+        due_s, others_s = self.clock.next_due_s(), self.cell.scheduler.next_s(self.clock)
+        until_s = min(deadline_s if due_s is None else due_s, others_s, self.cell.max_time_s)
+        still_s = min(until_s, deadline_s) - now_s
         return max(1, math.floor(still_s / poll_s)) if math.isfinite(still_s) else 1
 
     def _holds(self, condition: Callable[[], bool]) -> bool:

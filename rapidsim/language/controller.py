@@ -89,7 +89,10 @@ class ClockService(Protocol):
         ...
 
     def note_unknown(self) -> None:
-        """Note that nobody knows what the current statement does: it may end a loop that polls."""
+        """Note that nobody knows what the current statement does.
+
+        A loop that only polls around it is no endless one, but goes on to the time limit at once.
+        """
         ...
 
     def hold_until(self, time_s: float) -> None:

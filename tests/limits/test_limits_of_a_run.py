@@ -9,6 +9,7 @@ from command_line import call
 from rapidsim.controller.cell.home_folder import HomeFolder
 from rapidsim.controller.journal import journal
 from rapidsim.files import SourceFile
+from rapidsim.interpreter.limits import array_bytes, element_bytes
 from rapidsim.jobs.checking.checked_program import load
 from rapidsim.language.errors import RapidError
 from rapidsim.language.files import FileMode
@@ -102,6 +103,14 @@ def test_a_hundred_million_are_refused(tmp_path: Path) -> None:
     it = run(main("    a{1}:=1;", "  VAR num a{100000000};"), tmp_path)
     assert it.code == 1
     assert "more than 500 MB in all arrays" in it.out
+
+
+def test_the_memory_of_an_array_is_that_of_its_elements() -> None:
+    one = element_bytes(1.0)
+    assert one > 8
+    assert [array_bytes([1.0] * 5), array_bytes([[1.0] * 3, [1.0] * 3])] == [5 * one, 6 * one]
+    assert array_bytes([[(1.0, 2.0)]]) == element_bytes((1.0, 2.0)) > 2 * one
+    assert array_bytes([]) == 0
 
 
 def test_texts_without_end_do_not_fill_the_memory(monkeypatch: pytest.MonkeyPatch) -> None:
