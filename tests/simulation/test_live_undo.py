@@ -99,6 +99,55 @@ def test_after_an_instruction_that_stops(instruction: str) -> None:
     assert live.value("done") == '"inner outer "'
 
 
+@pytest.mark.parametrize(
+    "ending",
+    [
+        "n := 1/(n-n);",
+        "VelSet 0*n, 100;",
+        "MoveAbsJ [[400,0,0,0,30,0],[9E9,9E9,9E9,9E9,9E9,9E9]], v50, fine, tool0;",
+    ],
+)
+def test_after_an_error_that_has_ended_the_program(ending: str) -> None:
+    live = Live(program(ending, INNER, f"SetDO doDone, 1; WaitTime 1; {OUTER}"))
+    live.controller.start()
+    live.after(1.0)
+    assert (live.controller.executes, live.value("done")) == (False, '""')
+    begin_s = live.controller.now_s
+    live.controller.reset_pointers()
+    assert live.value("done") == '"inner outer "'
+    assert live.controller.cell.signals.read("doDone") == 1.0
+    assert live.controller.now_s == pytest.approx(begin_s + 1.0)
+    live.controller.reset_pointers()
+    assert live.value("done") == '"inner outer "'
+
+
+def test_what_a_handled_error_has_left_is_over() -> None:
+    data = f"{DATA} VAR num zero;"
+    body = "caught; WaitTime 1; n := 1/zero;"
+    caught = (
+        "  PROC caught()\n    fails;\n  ERROR\n    TRYNEXT;\n  ENDPROC\n"
+        '  PROC fails()\n    n := 1/zero;\n  UNDO\n    done := done + "never ";\n  ENDPROC\n'
+    )
+    text = program(body, INNER, OUTER, data=data).replace("ENDMODULE", f"{caught}ENDMODULE")
+    live = Live(text)
+    live.controller.start()
+    live.after(2.0)
+    live.controller.reset_pointers()
+    assert live.value("done") == '"inner outer "'
+
+
+def test_after_an_error_in_one_the_rest_is_left_out_then_too() -> None:
+    live = Live(program("n := 1/(n-n);", f"{INNER} n := 1/(n-n);", OUTER))
+    live.controller.start()
+    live.after(1.0)
+    count = len(live.entries)
+    live.controller.reset_pointers()
+    assert live.value("done") == '"inner "'
+    assert "division by zero" in "".join(one.text for one in live.entries[count:])
+    live.controller.start()
+    live.after(0.5)
+
+
 @pytest.mark.parametrize(("steps", "undone"), [(1, "outer "), (2, "inner outer ")])
 def test_after_steps_and_without_stepping(steps: int, undone: str) -> None:
     live = Live(WAITS)

@@ -9,8 +9,7 @@ With all its clauses:
             try:
                 <statements>
             except BaseException as _u:
-                if _unwinds(_u):
-                    _in_undo(_undo)
+                _leave_routine(_u, _undo)
                 raise
         except _Leave as _l:
             return _l.value
@@ -134,11 +133,8 @@ class _RoutineTranslation:
         if self._symbol.result is not None and not _ends_in_return(body):
             body.append(self._without_value())
         if undo is not None:
-            unwinds = at.when(
-                at.call("_unwinds", [at.name("_u")]),
-                [at.do(at.call("_in_undo", [at.name("_undo")]))],
-            )
-            body = [at.attempt(body, at.name("_BaseException"), "_u", [unwinds, at.throw()])]
+            leave = at.do(at.call("_leave_routine", [at.name("_u"), at.name("_undo")]))
+            body = [at.attempt(body, at.name("_BaseException"), "_u", [leave, at.throw()])]
         names = self._context.names
         name = names.routine(self._symbol)
         clauses: list[ast.stmt] = [clause for clause in (handler, undo) if clause is not None]

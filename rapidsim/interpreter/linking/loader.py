@@ -68,6 +68,21 @@ class Task:
         with running():
             self._linked.function(symbol)(*_absent(symbol))
 
+    @property
+    def has_ended_within(self) -> bool:
+        """Whether it has ended with an error in routines with UNDO clauses."""
+        return bool(self._linked.recovery.ended)
+
+    def undo_ended(self) -> None:
+        """Run these clauses, the innermost first.
+
+        Raises:
+            FatalError: If an error occurs in one.
+            Stopped: If EXIT or a limit of the run ends them.
+        """
+        with running():
+            self._linked.recovery.undo_ended()
+
     def take(self, program: Program) -> None:
         """Continue with a changed set of modules; remaining modules keep their values.
 

@@ -103,7 +103,6 @@ FUNCTIONS: Mapping[str, object] = MappingProxyType(
         "_unresolved_data": unresolved_data,
         "_unresolved_function": unresolved_function,
         "_unresolved_procedure": unresolved_procedure,
-        "_unwinds": error_recovery.unwinds,
         "_whole_quotient": arithmetic.whole_quotient,
         "_whole_remainder": arithmetic.whole_remainder,
     }
@@ -209,7 +208,7 @@ def task_functions(
         "_connect": connect,
         "_connect_late": connect_late,
         "_late": partial(late.call, module),
-        "_in_undo": recovery_of_task.undo,
+        "_leave_routine": recovery_of_task.leave,
         "_loaded": loaded,
         "_look_at": look_at,
         "_loaded_function": loaded_function,

@@ -113,6 +113,9 @@ class Recovery:
     trace: Trace
     long_jumps: dict[CodeType, Callable[[], tuple[float, ...]]] = field(default_factory=dict)
     """For each routine whose ERROR clause lists numbers: a function that returns them."""
+    ended: list[Callable[[], object]] = field(default_factory=list)
+    """UNDO clauses of the routines in which the program has ended with an error, innermost first:
+    a controller is still in them."""
 
     def recover(self, handler: Handler, error: Exception, tries: int) -> int:
         """Let an ERROR clause decide about an error.
@@ -130,6 +133,7 @@ class Recovery:
             raise rapid
         if isinstance(rapid, RaisedToUser) and _hides(sys._getframe(1)):
             raise rapid
+        self.ended.clear()
         numbers = self.numbers
         # If a clause calls a routine with an ERROR clause, each counts its own retries.
         around, tries_around = numbers.handler, numbers.retries
@@ -171,6 +175,23 @@ class Recovery:
         if tries >= MAX_RETRIES:
             raise rapid_error(ERR_EXCRTYMAX, f"{tries} retries did not help: {rapid.message}")
         return tries + 1
+
+    def leave(self, exception: BaseException, clause: Callable[[], object]) -> None:
+        """Run the UNDO clause of a routine that an exception leaves, or keep it; see `ended`."""
+        if isinstance(exception, LongJump):
+            if exception.target is not sys._getframe(1):
+                self.undo(clause)
+        elif isinstance(exception, ProgramReset):
+            self.undo(clause)
+        elif not isinstance(exception, HandlerReturn):
+            self.ended.append(clause)
+
+    def undo_ended(self) -> None:
+        """Run the UNDO clauses of the routines in which the program has ended with an error."""
+        clauses = tuple(self.ended)
+        self.ended.clear()
+        for clause in clauses:
+            self.undo(clause)
 
     def undo(self, clause: Callable[[], object]) -> None:
         """Run the UNDO clause of a routine; after an error or EXIT in it, no other one runs."""
@@ -258,13 +279,6 @@ def raised(number: float, written: str) -> RapidError:
 def no_return(function: str) -> RapidError:
     """Raise the error of a function that reaches its end without RETURN."""
     return rapid_error(ERR_FNCNORET, f"the function {function} ended without RETURN")
-
-
-def unwinds(exception: BaseException) -> bool:
-    """Whether an exception leaves a routine such that its UNDO clause runs."""
-    if isinstance(exception, LongJump):
-        return exception.target is not sys._getframe(1)
-    return isinstance(exception, ProgramReset)
 
 
 def as_rapid_error(error: Exception) -> RapidError:

@@ -241,11 +241,18 @@ class LiveTask:
         self.unit.resume(now_s)
 
     def _leave_routines(self) -> None:
-        """Run the UNDO clauses of the routines in which the program is halted."""
+        """Run the UNDO clauses of the routines in which the program is halted, or has ended."""
         execution, clock = self.run.controller.execution, self.run.controller.clock
-        if not execution.is_halted or not self.is_normal:
+        if not self.is_normal:
             return
-        execution.leave()
+        if execution.is_halted:
+            execution.leave()
+        elif self.task is not None and self.task.has_ended_within:
+            execution.is_leaving = True
+            clock.set(self.scheduler.now_s)
+            self.scheduler.add(self.number, clock, partial(self._undo_ended, self.task))
+        else:
+            return
         if not self.scheduler.finish(clock, self.scheduler.now_s + _MOST_UNDO_S):
             message = f"its UNDO clauses take more than {_MOST_UNDO_S:g} s; the rest is left out"
             self.supervisor.task_failed(self, (), message)
@@ -395,12 +402,7 @@ class LiveTask:
         except (FatalError, MotionError, Stopped) as error:
             if execution.is_leaving and isinstance(error, ProgramReset):
                 return
-            ended = outcome_of(error, self.run)
-            found = ended.findings
-            if self.journal.retains_all:
-                self._findings += found
-                self._failed_moves += ended.failed_moves
-            message = found[0].message if found else str(error)
+            found, message = self._ended_by(error)
         except Exception as error:
             # A defect of rapidsim ends this program, not the controller.
             message = f"rapidsim has a defect: {type(error).__name__}: {error}"
@@ -408,3 +410,20 @@ class LiveTask:
             self._stepper.end()
         self._has_started = self.has_pointer = False
         self.supervisor.task_failed(self, found, message)
+
+    def _undo_ended(self, task: Task) -> None:
+        """Run the UNDO clauses of a program that has ended; the body of a greenlet of its own."""
+        try:
+            task.undo_ended()
+        except (FatalError, MotionError, Stopped) as error:
+            self.supervisor.task_failed(self, *self._ended_by(error))
+
+    def _ended_by(
+        self, error: FatalError | MotionError | Stopped
+    ) -> tuple[tuple[Diagnostic, ...], str]:
+        """Record what ends the program; return its findings, and the cause in one line."""
+        ended = outcome_of(error, self.run)
+        if self.journal.retains_all:
+            self._findings += ended.findings
+            self._failed_moves += ended.failed_moves
+        return ended.findings, ended.findings[0].message if ended.findings else str(error)
