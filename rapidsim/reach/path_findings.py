@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+import pickle
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property, partial
 
@@ -215,6 +216,7 @@ class PathSurvey:
 
     def findings(self, surveyed: SurveyedPaths) -> Iterator[Diagnostic]:
         """Yield all findings about the paths."""
+        faults: dict[bytes, PathFault | None] = {}
         for row, fault in surveyed.circle_faults.items():
             name = target_text(self.program, self.posed.moves[row])
             yield self._finding(row, CircleUncertain(name, fault))
@@ -223,7 +225,7 @@ class PathSurvey:
         of_interest = self._may_have_findings(surveyed) | (stands & surveyed.is_surveyed) | zones
         for row in np.flatnonzero(of_interest).tolist():
             if surveyed.is_broken[row]:
-                fault_found = self._fault(row, surveyed)
+                fault_found = self._fault(row, surveyed, faults)
                 if fault_found is not None:
                     yield self._finding(row, fault_found)
                 continue
@@ -300,19 +302,40 @@ class PathSurvey:
         following: list[int] = order[first:stop].tolist()
         return following
 
-    def _fault(self, row: int, surveyed: SurveyedPaths) -> Violation | None:
-        """Return the fault of a path as in planning; None if corner paths avoid it."""
-        segment = surveyed.driven(row)
+    def _fault(
+        self, row: int, surveyed: SurveyedPaths, faults: dict[bytes, PathFault | None]
+    ) -> Violation | None:
+        """Return the fault of a path as in planning; None if corner paths avoid it.
+
+        Turns of a loop often repeat a path: `faults` keeps those of the paths so far.
+        """
+        around = self._around(row, surveyed)
+        key = pickle.dumps(around)
+        if key not in faults:
+            faults[key] = self._built_fault(surveyed.driven(row), around)
+        fault = faults[key]
+        if fault is None:
+            return None
+        return fault_violation(fault, target_text(self.program, self.posed.moves[row]))
+
+    def _built_fault(self, segment: Segment, around: Sequence[Segment]) -> PathFault | None:
+        """Return the fault of a path, unless corner paths between those around it avoid it."""
         fault = build_path(self.robot, [replace(segment, zone=None)], self.model)
         if not isinstance(fault, PathFault):
             return None
         # The wrist must be able to follow the whole arc, as in a run.
-        led = segment.wrist_pair is not None
-        if not led and not self._fails_with_corners(row, segment, surveyed):
-            return None
-        return fault_violation(fault, target_text(self.program, self.posed.moves[row]))
+        if segment.wrist_pair is not None or len(around) == 1:
+            return fault
+        linked = [around[0]]
+        for one in around[1:]:
+            linked.append(
+                replace(one, start=Waypoint(linked[-1].end.joints, one.start.base_from_tcp))
+            )
+        return fault if isinstance(build_path(self.robot, linked, self.model), PathFault) else None
 
-    def _fails_with_corners(self, row: int, segment: Segment, surveyed: SurveyedPaths) -> bool:
+    def _around(self, row: int, surveyed: SurveyedPaths) -> list[Segment]:
+        """Return the path of a row, with those before and after it that have a corner with it."""
+        segment = surveyed.driven(row)
         before = int(self.posed.moves.previous[row])
         around = [segment]
         if surveyed.is_surveyed[before] and surveyed.make(before).zone:
@@ -320,14 +343,7 @@ class PathSurvey:
         after = [one for one in self._following(row) if surveyed.is_surveyed[one]]
         if segment.zone is not None and len(after) == 1:
             around.append(surveyed.driven(after[0]))
-        if len(around) == 1:
-            return True
-        linked = [around[0]]
-        for one in around[1:]:
-            linked.append(
-                replace(one, start=Waypoint(linked[-1].end.joints, one.start.base_from_tcp))
-            )
-        return isinstance(build_path(self.robot, linked, self.model), PathFault)
+        return around
 
     def _changed(self, row: int, arrival: Array) -> Iterator[Diagnostic]:
         """K606: a line that arrives in another configuration than the stored one."""
