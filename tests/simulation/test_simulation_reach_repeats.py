@@ -5,6 +5,7 @@ from pathlib import Path
 import pytest
 from command_line import call
 
+from rapidsim.motion.path.building import build_path
 from rapidsim.reach import path_findings
 
 PROGRAM = """MODULE turns
@@ -29,11 +30,10 @@ def test_a_path_that_fails_in_each_turn_is_built_once(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     built = []
-    build = path_findings.build_path
 
     def counted(*arguments: object) -> object:
         built.append(1)
-        return build(*arguments)  # type: ignore[arg-type]
+        return build_path(*arguments)  # type: ignore[arg-type]
 
     monkeypatch.setattr(path_findings, "build_path", counted)
     found = []
