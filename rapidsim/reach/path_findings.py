@@ -309,10 +309,12 @@ class PathSurvey:
 
         Turns of a loop often repeat a path: `faults` keeps those of the paths so far.
         """
-        around = self._around(row, surveyed)
-        key = pickle.dumps(around)
+        segment = surveyed.driven(row)
+        around = self._around(row, segment, surveyed)
+        # Two paths may have the same around them: each other.
+        key = pickle.dumps((segment, around))
         if key not in faults:
-            faults[key] = self._built_fault(surveyed.driven(row), around)
+            faults[key] = self._built_fault(segment, around)
         fault = faults[key]
         if fault is None:
             return None
@@ -333,9 +335,8 @@ class PathSurvey:
             )
         return fault if isinstance(build_path(self.robot, linked, self.model), PathFault) else None
 
-    def _around(self, row: int, surveyed: SurveyedPaths) -> list[Segment]:
+    def _around(self, row: int, segment: Segment, surveyed: SurveyedPaths) -> list[Segment]:
         """Return the path of a row, with those before and after it that have a corner with it."""
-        segment = surveyed.driven(row)
         before = int(self.posed.moves.previous[row])
         around = [segment]
         if surveyed.is_surveyed[before] and surveyed.make(before).zone:
