@@ -102,7 +102,7 @@ class TaskExecution:
         self.is_halted, self._stop_request = False, None
 
     def leave(self) -> None:
-        """Let a halted program leave its routines at its next turn: their UNDO clauses run."""
+        """Let a program that is halted or has ended leave its routines: their UNDO clauses run."""
         self.is_halted, self.is_leaving = False, True
 
     def next_s(self) -> float | None:

@@ -155,8 +155,8 @@ class TaskSignals:
     def _polls_ahead(self, now_s: float, deadline_s: float, poll_s: float) -> int:
         """Number of polls before anything can have changed; at least one."""
         due_s, others_s = self.clock.next_due_s(), self.cell.scheduler.next_s(self.clock)
-        until_s = min(deadline_s if due_s is None else due_s, others_s, self.cell.max_time_s)
-        still_s = min(until_s, deadline_s) - now_s
+        own_s = deadline_s if due_s is None else min(due_s, deadline_s)
+        still_s = min(own_s, others_s, self.cell.max_time_s) - now_s
         return max(1, math.floor(still_s / poll_s)) if math.isfinite(still_s) else 1
 
     def _holds(self, condition: Callable[[], bool]) -> bool:

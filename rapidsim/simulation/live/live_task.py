@@ -245,14 +245,12 @@ class LiveTask:
         execution, clock = self.run.controller.execution, self.run.controller.clock
         if not self.is_normal:
             return
-        if execution.is_halted:
-            execution.leave()
-        elif self.task is not None and self.task.has_ended_within:
-            execution.is_leaving = True
+        if not execution.is_halted:
+            if self.task is None or not self.task.has_ended_within:
+                return
             clock.set(self.scheduler.now_s)
             self.scheduler.add(self.number, clock, partial(self._undo_ended, self.task))
-        else:
-            return
+        execution.leave()
         if not self.scheduler.finish(clock, self.scheduler.now_s + _MOST_UNDO_S):
             message = f"its UNDO clauses take more than {_MOST_UNDO_S:g} s; the rest is left out"
             self.supervisor.task_failed(self, (), message)
